@@ -23,7 +23,7 @@ from workbench.jobs.lenses import BeamShaper, Experiment, LedRectangle, StreetLi
 
 _SIZE = QSize(1280, 800)
 _PATIENCE = 300.0  # seconds
-_WAITING = ("Computed when", "The light there is traced when", "Tracing", "Computing")
+_WAITING = ("Computed when", "Tracing", "Computing")
 
 
 def until(condition: Callable[[], object], what: str) -> None:

@@ -1,1 +1,1 @@
-"""The window. Qt lives only here; no optics do."""
+"""The window. Only this package uses Qt; it contains no optics."""

@@ -46,13 +46,13 @@ def main(arguments: list[str] | None = None) -> int:
     from ui.unexpected_errors import UnexpectedErrors
     from ui.widgets import theme
     from ui.windows import Windows
-    from ui.words import speak
+    from ui.words import set_language
 
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
     settings = QSettings()
     theme.choose(application, THEME.kept(settings))
-    speak(application, LANGUAGE.kept(settings))
+    set_language(application, LANGUAGE.kept(settings))
     garbage = GarbageCollector(application)
     windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     # Else each full search goes through 300,000 objects of the slow libraries: 0.2 s.
@@ -119,7 +119,7 @@ def _application() -> "QApplication":
 
 
 def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None:
-    """What takes time comes after a person sees the window."""
+    """Run slow work after the first painting of the window."""
     from PySide6.QtCore import Qt, QTimer
 
     def after_paint() -> None:
@@ -127,8 +127,7 @@ def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None
             begin()
 
     window.painted.connect(
-        lambda: QTimer.singleShot(0, window, after_paint),
-        Qt.ConnectionType.SingleShotConnection,
+        lambda: QTimer.singleShot(0, window, after_paint), Qt.ConnectionType.SingleShotConnection
     )
 
 

@@ -1,12 +1,8 @@
-"""Work in threads beside the window's, and cyclic garbage freed in the window's thread.
+"""Work in threads, and garbage collection in the window's thread.
 
-1. A `Background` uses one thread at a time. Of the requests during its work only the latest is
-   executed.
-2. All signals are emitted in the window's thread, none for cancelled work.
-3. An error is passed as the exception itself, with its traceback; see `sentence_of`.
-
-Python frees it in whichever thread allocates at that moment. A worker's thread would then delete
-timers and widgets of the window, which Qt forbids: timers no longer fire, or the program crashes.
+1. A `Background` uses one thread. Of the requests during its work it executes only the latest.
+2. All signals are emitted in the window's thread; cancelled work emits none.
+3. An error is passed as the exception with its traceback; see `sentence_of`.
 """
 
 import gc
@@ -27,10 +23,7 @@ from workbench.progress import Interrupted, given_up_when
 
 
 def leave_core_for_window() -> None:
-    """Let torch and kernels use all cores but one; call before they are loaded.
-
-    Threads that synchronise at every step become slower if one of them competes with drawing.
-    """
+    """Let torch and kernels use all cores but one: drawing slows down synchronised threads."""
     os.environ.setdefault("OMP_NUM_THREADS", str(other_cores()))
 
 
@@ -48,7 +41,7 @@ def sentence_of(error: Exception, work: str) -> str:
     if isinstance(error, Refused | RunFailed):
         return error_text(error)
     LOG.error(details(error))
-    return tr("The {work} ended with an {error}").format(work=work, error=unexpected(error))
+    return tr("The {work} failed: {error}").format(work=work, error=unexpected(error))
 
 
 Step = TypeVar("Step")
@@ -74,7 +67,6 @@ class Task:
         return self._stopped.is_set()
 
     def stop(self) -> None:
-        """Ask the work to end soon."""
         self._stopped.set()
 
     def report(self, value: object) -> None:
@@ -82,7 +74,7 @@ class Task:
         self._report(self, value)
 
     def follow(
-        self, steps: Generator[Step, None, End], watch: Callable[[Step], object] | None = None
+        self, steps: Generator[Step, None, End], report: Callable[[Step], object] | None = None
     ) -> End | None:
         """Run steps until their end or until `stop`; return their result, or None if stopped."""
         with closing(steps):
@@ -92,12 +84,11 @@ class Task:
                 except StopIteration as end:
                     found: End = end.value
                     return found
-                if watch is not None:
-                    watch(step)
+                if report is not None:
+                    report(step)
         return None
 
     def run(self) -> None:
-        """Do the work until its end or its cancellation."""
         try:
             with given_up_when(lambda: not self.wanted):
                 self.result = self._work(self)
@@ -145,7 +136,6 @@ class Background(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether a result is still to be emitted."""
         return self._next is not None or (self._task is not None and self._task.wanted)
 
     @property
@@ -184,7 +174,6 @@ class Background(QObject):
             self._end(self._task)
 
     def close(self) -> None:
-        """Cancel the work and wait for the thread; safe to call twice."""
         self.cancel()
         self._join()
 
@@ -237,13 +226,12 @@ class GarbageCollector(QObject):
         gc.disable()
         self._timer = self.startTimer(_EVERY_MS)
 
-    def timerEvent(self, event: QTimerEvent) -> None:  # noqa: D102
+    def timerEvent(self, event: QTimerEvent) -> None:
         counts = zip(gc.get_count(), gc.get_threshold(), strict=True)
         full = [generation for generation, (count, most) in enumerate(counts) if count > most]
         if full:
             gc.collect(full[-1])
 
     def close(self) -> None:
-        """Return the collection to Python."""
         self.killTimer(self._timer)
         gc.enable()

@@ -14,9 +14,8 @@ _X = "xcb"
 # Vulkan alone draws there, and no widget.
 _WITHOUT_WIDGETS = "vkkhrdisplay"
 _PROBE = (
-    "from PySide6.QtGui import QGuiApplication, QRasterWindow;"
-    "a = QGuiApplication(['probe']); w = QRasterWindow(); w.resize(8, 8); w.show();"
-    "a.processEvents()"
+    "from PySide6.QtGui import QGuiApplication, QRasterWindow;a = QGuiApplication(['probe']); w = "
+    "QRasterWindow(); w.resize(8, 8); w.show();a.processEvents()"
 )
 _PATIENCE_S = 20.0
 

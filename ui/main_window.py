@@ -16,13 +16,12 @@ from ui.commands.table import NEW
 from ui.dialogs.gallery import Gallery
 from ui.dialogs.help import TITLE, Help
 from ui.dialogs.start_page import Start
-from ui.dialogs.sweeps import Sweeps
 from ui.document.document import Document
-from ui.files.actions import Answer, FileActions, RecentFiles, RecentMenu
+from ui.files.actions import Answer, FileActions, RecentFiles
 from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskCutting
-from ui.run.control import LensOnShow
+from ui.run.control import CurrentLens
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
 from ui.window.layout import Layout, ViewState
 from ui.window.window_state import WindowState
@@ -30,14 +29,14 @@ from ui.window.workspace import EarlyParts
 from ui.words import tr
 
 if TYPE_CHECKING:
+    from ui.dialogs.sweep import SweepDialog
     from ui.window.loaded_parts import LoadedParts
 
 
 class MainWindow(QMainWindow):
     """A window of the workbench, with a design of its own.
 
-    It shows at once, with placeholders; `build` adds runner and views, whose libraries take
-    seconds to load.
+    It shows at once, with placeholders; `build` adds runner and views, which load slowly.
     """
 
     painted = Signal()
@@ -61,23 +60,23 @@ class MainWindow(QMainWindow):
         steps = document.undo_stack
         steps.forgot.connect(
             lambda count: self.log.add(
-                tr("Oldest steps ({count}) forgotten: too much memory to undo").format(count=count)
+                tr("The {count} oldest steps can no longer be undone (memory limit)").format(
+                    count=count
+                )
             )
         )
         self._settings = settings
-        recent = RecentFiles(settings)
-        self._lens = LensOnShow(document, self)
+        self._recent = recent = RecentFiles(settings)
+        self._lens = CurrentLens(document, self)
         self.dialogs = dialogs = early.dialogs
         self._chosen = ChosenFiles(self.forms, dialogs, self.messages, self)
         lens, messages = self._lens, self.messages
         self.files = FileActions(document, lens, recent, messages, dialogs, self)
         self.files.offer = self._chosen.offer
-        recent_menu = self.commands.menus["Open &recent"]
-        self._recent = RecentMenu(recent_menu, recent, self.files.open_recent)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_cutting = AskCutting(self, settings)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
-        self.sweeps = Sweeps(document, self._open, self)
+        self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._panes = PaneFocus(
             self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
@@ -98,7 +97,7 @@ class MainWindow(QMainWindow):
         self._show_state()
 
     def build(self) -> None:
-        """Add runner and views; imports what they stand on."""
+        """Add runner and views; imports slow libraries."""
         from ui.window.loaded_parts import LoadedParts
 
         self.loaded = loaded = LoadedParts(self.early, self._settings, self)
@@ -116,17 +115,15 @@ class MainWindow(QMainWindow):
         self.built.emit()
 
     def start(self) -> None:
-        """Design the lens from its start."""
         if self.loaded is not None:
             self.early.begin(self.loaded.control.start)
 
     def discard_and_close(self) -> None:
-        """Close without a question, a run and unsaved changes lost."""
+        """Close without a question; a run and unsaved changes are lost."""
         self._leaving = True
         self.close()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Tell that the window can be seen."""
         super().paintEvent(event)
         self.painted.emit()
 
@@ -142,7 +139,9 @@ class MainWindow(QMainWindow):
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
         self.reporter.close()
-        self.sweeps.close()
+        if self.sweep is not None:
+            self.sweep.close_thread()
+            self.sweep.close()
         if self.loaded is not None:
             self.loaded.close()
             self.loaded = self._state.loaded = None  # nothing can be started any more
@@ -150,20 +149,18 @@ class MainWindow(QMainWindow):
         self.closed.emit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take one local file."""
         urls = event.mimeData().urls()
         if len(urls) == 1 and urls[0].isLocalFile():
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """A design or scene is opened; a file of light lights it; any other is the target image."""
+        """Open a design or scene; use a light file as source, any other file as target."""
         event.acceptProposedAction()
         path = Path(event.mimeData().urls()[0].toLocalFile())
         if not self._chosen.take(path):
             self._open(path)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Light or dark: draw the icons again. Active: other windows may have opened files."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange:
             self._show_recent()
@@ -173,7 +170,7 @@ class MainWindow(QMainWindow):
             THEME.show(self._settings, self.commands)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape that nothing else has taken takes refused entries back, or cancels a check."""
+        """Revert refused entries, or cancel a check, by Escape."""
         if event.key() != Qt.Key.Key_Escape:
             super().keyPressEvent(event)
         elif not self.forms.take_all_back() and self.loaded is not None:
@@ -194,10 +191,10 @@ class MainWindow(QMainWindow):
             return self.files.may_leave()
         called = self.document.session.scene.optic.called
         question = tr(
-            "{design} is still being designed. Stop, and save its best {optic}?", optic=called
+            "A run of {design} is in progress. Stop it and save the best {optic}?", optic=called
         ).format(design=self.document.name)
         if self.forms.postponed_edits:
-            question += tr(" Changes of the task that wait for the end of the run are given up.")
+            question += tr(" Changes that wait for the end of the run are discarded.")
         answer = self.files.ask(question)
         if answer is not Answer.SAVE:
             return answer is Answer.DISCARD
@@ -224,7 +221,7 @@ class MainWindow(QMainWindow):
 
     def _open(self, path: Path) -> None:
         if self._busy:
-            text = tr("{file} takes the place of {design}, which is being designed.").format(
+            text = tr("A run of {design} is in progress. Stop it to open {file}.").format(
                 file=path.name, design=self.document.name
             )
             self.messages.note(text, (tr("Stop and open"), partial(self._stop_and_open, path)))
@@ -303,7 +300,12 @@ class MainWindow(QMainWindow):
 
     def _sweep(self) -> None:
         self.forms.commit()
-        self.sweeps.show()
+        if self.sweep is None:
+            from ui.dialogs.sweep import SweepDialog  # late: it draws with matplotlib
+
+            self.sweep = SweepDialog(self.document, self)
+            self.sweep.open_asked.connect(self._open)
+        self.sweep.show_design()
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()
@@ -312,7 +314,7 @@ class MainWindow(QMainWindow):
         if self.forms.refused:
             self.messages.note(tr("Saved with the last valid value of each marked field."))
         elif self.forms.postponed_edits and self.loaded is not None:
-            self.loaded.postponed.remind(tr("Saved with the task that the run works on."))
+            self.loaded.postponed.remind(tr("Saved with the task of the run."))
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
@@ -328,7 +330,8 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.document.dirty)
 
     def _show_recent(self) -> None:
-        self._recent.show(allowed=not self._busy)
+        menu = self.commands.menus["Open &recent"]
+        self._recent.fill(menu, self.files.open_recent, allowed=not self._busy)
 
     # Slots of the window itself: nothing calls them any more while its parts are taken down.
     def _show_state(self) -> None:

@@ -1,10 +1,7 @@
 """Unexpected errors: shown once in the window, with details for a report.
 
-1. An error in a slot or event handler ends only that slot: Qt's event loop continues.
-2. A failing view fails at every frame. Each kind of error, by its type and line, is shown once and
-   printed every time.
-3. Errors of other threads and messages of Qt arrive anywhere; signals pass them to the window.
-4. Each is written to the file of `workbench.defects`, which the message names.
+Qt continues after an error in a slot. Each kind of error, by type and line, is shown once and
+printed every time, and written to the file of `workbench.defects`.
 """
 
 import logging
@@ -51,7 +48,6 @@ class UnexpectedErrors(QObject):
         LOG.addHandler(self._relay)
 
     def close(self) -> None:
-        """Restore the hooks."""
         sys.excepthook, threading.excepthook = self._hooks
         qInstallMessageHandler(self._qt_handler)
         LOG.removeHandler(self._relay)
@@ -67,9 +63,7 @@ class UnexpectedErrors(QObject):
             return
         self._known.add(known)
         self.happened.emit(
-            tr(
-                "Something went wrong that should not: {error}. Your work is still here: save it."
-            ).format(error=unexpected(error)),
+            tr("Unexpected error: {error}. Save your work.").format(error=unexpected(error)),
             f"Qt {qVersion()}\n{details(error)}",
         )
 

@@ -36,12 +36,10 @@ class WarmUp(QObject):
         )
 
     def start(self) -> None:
-        """Begin importing."""
         self._background.begin(_warm_up)
 
     @property
     def under_way(self) -> bool:
-        """Whether it has begun and not ended."""
         return self._background.running
 
     def wait(self) -> None:
@@ -64,7 +62,7 @@ _STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen
 
 
 class Windows(QObject):
-    """Each window has a document, a run and a recovery file of its own."""
+    """All windows, each with its own document, run and recovery file."""
 
     loaded = Signal()
 
@@ -80,7 +78,6 @@ class Windows(QObject):
         self._quitting = self._leaving = False
 
     def open(self) -> MainWindow:
-        """Show a window with the first example in it."""
         example = EXAMPLES[0].file
         window = MainWindow(Document(open_design(example), example.stem), self._settings)
         recovery = Recovery(window.document, self._folder, window)
@@ -108,7 +105,7 @@ class Windows(QObject):
         return window
 
     def active(self) -> MainWindow | None:
-        """The window that a person works in, as far as there is one."""
+        """The active window, or the latest one."""
         active = QApplication.activeWindow()
         if isinstance(active, MainWindow) and active in self._recoveries:
             return active
@@ -119,7 +116,7 @@ class Windows(QObject):
         self._warm_up.start()
 
     def recover(self, window: MainWindow) -> bool:
-        """Offer what was left behind, the first of it in ``window``; whether any is open now."""
+        """Offer unsaved work, the first in ``window``; whether any was opened."""
         first = self._recoveries[window]
         free = [window]
 
@@ -137,9 +134,7 @@ class Windows(QObject):
         if own is not None:
             own.activateWindow()
             own.messages.note(
-                tr("{name} is open with the unsaved changes that were recovered.").format(
-                    name=path.name
-                )
+                tr("{name} is open with the recovered changes.").format(name=path.name)
             )
             return None
         place = self.open_beside() if recovered else window
@@ -154,7 +149,7 @@ class Windows(QObject):
                 return
 
     def leave(self) -> None:
-        """Close without questions; what is not saved is found at the next start."""
+        """Close without questions; unsaved work is offered at the next start."""
         self._leaving = True
         for window, recovery in list(self._recoveries.items()):
             recovery.close(leave=True)
@@ -166,11 +161,10 @@ class Windows(QObject):
         return self._warm_up.under_way
 
     def wait(self) -> None:
-        """Let what is being loaded be loaded."""
         self._warm_up.wait()
 
     def tell_unexpected_error(self, sentence: str, details: str) -> None:
-        """Say in the active window what went wrong, and write it down in its log."""
+        """Show an error in the active window, and log it."""
         window = self.active()
         if window is not None:
             copy = partial(QGuiApplication.clipboard().setText, details)

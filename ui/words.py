@@ -1,12 +1,9 @@
-"""Words in the language of the person: English is the key, and what is shown without another.
+"""Translation: English is the key, and is shown where there is no translation.
 
-Whole sentences are translated, with their values in braces: ``tr("{file} is written.")`` and then
-``.format(file=path)``. Words for the optic and the receiver have a grammar, and are put in before:
-``tr("There is no {optic} yet", optic="mirror")`` has a translation for each optic. What stands in
-tables of modules is marked by `later`, since no language is chosen yet, and goes through `tr` where
-it is shown. So does what the engine says of itself.
-
-`resources.translations` collects all of it.
+Whole sentences are translated: ``tr("{file} is written.").format(file=path)``. Nouns for element
+and receiver are put in first: ``tr("There is no {optic} yet", optic="mirror")`` has a translation
+for each. `later` marks texts in tables of modules, which go through `tr` where they are shown.
+`resources.dictionaries` collects all texts.
 """
 
 import unicodedata
@@ -26,13 +23,13 @@ _NOUNS_ARE_LARGE = ("de",)
 
 Texts = TypeVar("Texts")
 
-_spoken = "en"
+_language = "en"
 
 
 def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
-    """A text in the language that is spoken; as it is where that has no words for it."""
+    """Translate a text or message into the language of the window."""
     if isinstance(text, Said):
-        return _said(text)
+        return _translated(text)
     if optic:
         text = text.replace("{optic}", optic)
     if receiver:
@@ -40,67 +37,62 @@ def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
     return QCoreApplication.translate(_CONTEXT, text) if text else ""
 
 
-def _said(said: Said) -> str:
+def _translated(message: Said) -> str:
     values = {
-        name: tr(value) if isinstance(value, Said) else value for name, value in said.values.items()
+        name: tr(value) if isinstance(value, Said) else value
+        for name, value in message.values.items()
     }
     kinds = {name: str(values[name]) for name in ("optic", "receiver") if name in values}
-    return tr(said.words, **kinds).format(**values)
+    return tr(message.words, **kinds).format(**values)
 
 
 def error_text(error: Refused | RunFailed) -> str:
-    """What an error of the engine says, in the language that is spoken.
-
-    Paths of fields stay as scene files have them.
-    """
+    """Return the message of an engine error, translated; paths of fields stay as in scene files."""
     if isinstance(error, Refused):
         return f"{error.path}: {tr(error.reason)}"
     return tr(*error.args)
 
 
 def later(texts: Texts) -> Texts:
-    """Texts as they are, or a table with some; they go through `tr` where they are shown."""
+    """Mark texts, or a table with some, for translation where they are shown."""
     return texts
 
 
-def inside(text: str) -> str:
-    """A title as it stands inside of a sentence of the language that is spoken.
-
-    Abbreviations stay large; in German all does, as its nouns are.
-    """
-    if _spoken in _NOUNS_ARE_LARGE or text[1:2].isupper():
+def in_sentence(text: str) -> str:
+    """Return a title as it stands inside a sentence; abbreviations and German nouns stay large."""
+    if _language in _NOUNS_ARE_LARGE or text[1:2].isupper():
         return text
     return text[:1].lower() + text[1:]
 
 
-def begun(text: str) -> str:
-    """A text as it stands at the beginning of a sentence; symbols as λ stay small."""
+def capitalised(text: str) -> str:
+    """Capitalise a text; symbols such as λ stay small."""
     if not (text and unicodedata.name(text[0], "").startswith("LATIN")):
         return text
     return text[0].upper() + text[1:]
 
 
-def spoken() -> str:
-    """The language that is spoken, as one of `LANGUAGES`."""
-    return _spoken
+def current_language() -> str:
+    """Current language, one of `LANGUAGES`."""
+    return _language
 
 
-def spoken_by_system() -> str:
-    """The first language of the system's that is one of `LANGUAGES`; English if none is."""
+def system_language() -> str:
+    """First of the system's languages among `LANGUAGES`; English by default."""
     wanted = (name.partition("-")[0] for name in QLocale.system().uiLanguages())
     return next((code for code in wanted if code in LANGUAGES), "en")
 
 
-def speak(application: QCoreApplication, language: str) -> None:
-    """Say all that is said from now on in a language; what is shown already stays as it is."""
-    global _spoken
-    code = spoken_by_system() if language == "system" else language
+def set_language(application: QCoreApplication, language: str) -> None:
+    """Set the language of texts that are shown from now on."""
+    global _language
+    code = system_language() if language == "system" else language
     if code not in LANGUAGES:
         raise ValueError(f"{code!r} is none of {', '.join(LANGUAGES)}")
     for before in application.findChildren(QTranslator):
         application.removeTranslator(before)
         before.deleteLater()
-    _spoken = code
+    _language = code
     if code == "en":
         return
     own = QTranslator(application)
@@ -113,5 +105,5 @@ def speak(application: QCoreApplication, language: str) -> None:
 
 
 def field_title(title: str) -> str:
-    """The title of a field with those of the parts that it is in: ``Lens · Half width``."""
+    """Translate the title of a field with its parts: ``Lens · Half width``."""
     return " · ".join(map(tr, title.split(" · ")))

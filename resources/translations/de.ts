@@ -4,117 +4,122 @@
     <context>
         <name>workbench</name>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;File</source>
             <translation>&amp;Datei</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;New from example</source>
             <translation>Neu aus Beis&amp;piel</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>First lenses, twice as fine</source>
             <translation>Erste Linsen, doppelt so fein</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Top hat: networks and starts</source>
             <translation>Zylinder: Netzwerke und Startwerte</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Real lights</source>
             <translation>Wirkliche Lichtquellen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Flame and ball: magnifications</source>
             <translation>Flamme und Ball: Vergrößerungen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Flame: point and extended source</source>
             <translation>Flamme: punktförmige und ausgedehnte Quelle</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Walls and streets</source>
             <translation>Wände und Straßen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Two freeform faces</source>
             <translation>Zwei Freiformflächen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
+            <source>Several elements</source>
+            <translation>Mehrere Elemente</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>Derivative maps of a flat lens</source>
             <translation>Ableitungskarten einer ebenen Linse</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Open &amp;recent</source>
             <translation>Zuletzt &amp;geöffnet</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Edit</source>
             <translation>&amp;Bearbeiten</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Design</source>
             <translation>&amp;Entwurf</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Run</source>
             <translation>&amp;Lauf</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;View</source>
             <translation>&amp;Ansicht</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Rays</source>
             <translation>S&amp;trahlen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>F&amp;aces</source>
             <translation>&amp;Flächen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Save pict&amp;ure of 3D</source>
             <translation>3D-Bild speic&amp;hern</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Colours of light</source>
             <translation>Farben &amp;des Lichts</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Th&amp;eme</source>
             <translation>E&amp;rscheinungsbild</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>La&amp;nguage</source>
             <translation>&amp;Sprache</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>&amp;Gehe zu</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Help</source>
             <translation>&amp;Hilfe</translation>
         </message>
@@ -280,6 +285,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>White light</source>
+            <translation>Weißes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
+            <translation>Polycarbonat lenkt blaues Licht stärker ab als rotes; siehe farbige Ränder im vorhergesagten Foto.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Flame, magnification 1</source>
             <translation>Flamme, Vergrößerung 1</translation>
         </message>
@@ -435,6 +450,76 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>LED with dome, freeform lens and cover plate</source>
+            <translation>LED mit Dom, Freiformlinse und Deckplatte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
+            <translation>Die Linse wird mit dem Dom davor und der Platte dahinter entworfen; siehe die Strahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Collimated LED and freeform plate</source>
+            <translation>Kollimierte LED und Freiformplatte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
+            <translation>Eine Kaufteillinse kollimiert das Licht, eine dünne Platte formt den Buchstaben; siehe seine weichen Kanten.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Diffuser before the screen</source>
+            <translation>Diffusor vor dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
+            <translation>Eine Folie 4 mm vor dem Schirm macht den Buchstaben unscharf; siehe, wie die Linse vorschärft.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Diffuser behind the lens</source>
+            <translation>Diffusor hinter der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
+            <translation>Eine um 0.3° streuende Folie verwischt am Schirm über 1 mm; mit dem Foto vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Fold mirror</source>
+            <translation>Umlenkspiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
+            <translation>Ein Planspiegel lenkt das Licht vor der Freiformlinse um 90° um; siehe die gefaltete Achse.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror and lens</source>
+            <translation>Spiegel und Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
+            <translation>Der Spiegel ist für das Licht hinter einer Kaufteillinse entworfen; siehe, wo die Strahlen sie durchlaufen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Tilted lens</source>
+            <translation>Verkippte Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
+            <translation>Die Linse ist verkippt und verschoben und wird in dieser Lage entworfen; das Bild bleibt gerade.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Degrees (3, 3), filter 3 × 3</source>
             <translation>Grade (3, 3), Filter 3 × 3</translation>
         </message>
@@ -470,8 +555,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Begin a design: choose a job and answer its questions</source>
-            <translation>Einen Entwurf beginnen: Aufgabe wählen und ihre Fragen beantworten</translation>
+            <source>Begin a design: choose a job and enter its data</source>
+            <translation>Entwurf beginnen: Aufgabe wählen und Angaben eintragen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -480,8 +565,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Choose an example by the picture of its light</source>
-            <translation>Ein Beispiel nach dem Bild seines Lichts wählen</translation>
+            <source>Choose an example by the picture of its target</source>
+            <translation>Beispiel nach dem Bild seines Ziels wählen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -490,8 +575,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Open another window, with a design and a run of its own</source>
-            <translation>Ein weiteres Fenster mit eigenem Entwurf und eigenem Lauf öffnen</translation>
+            <source>Open another window with its own design and run</source>
+            <translation>Weiteres Fenster mit eigenem Entwurf und eigenem Lauf öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -535,13 +620,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write the lens or its light for other programs</source>
-            <translation>Die Linse oder ihr Licht für andere Programme schreiben</translation>
+            <source>Write the lens or its rays for other programs</source>
+            <translation>Linse oder ihre Strahlen für andere Programme schreiben</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write the mirror or its light for other programs</source>
-            <translation>Den Spiegel oder sein Licht für andere Programme schreiben</translation>
+            <source>Write the mirror or its rays for other programs</source>
+            <translation>Spiegel oder seine Strahlen für andere Programme schreiben</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -550,8 +635,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write a finishing pass as G-code; what the cut leaves of the image is found before</source>
-            <translation>Schlichtbahnen als G-Code schreiben; was der Schnitt vom Bild lässt, wird vorher ermittelt</translation>
+            <source>Simulate a finishing pass and write it as G-code</source>
+            <translation>Schlichten simulieren und als G-Code schreiben</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -560,8 +645,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write scene, pictures, check and figures on some pages (HTML, PDF)</source>
-            <translation>Szene, Bilder, Prüfung und Zahlen auf einige Seiten schreiben (HTML, PDF)</translation>
+            <source>Write scene, pictures, check and figures as a report (HTML, PDF)</source>
+            <translation>Szene, Bilder, Prüfung und Kennzahlen als Bericht schreiben (HTML, PDF)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -570,8 +655,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the predicted photo of the screen: what a camera would see, in colour (PNG)</source>
-            <translation>Das vorhergesagte Foto des Schirms speichern: was eine Kamera sähe, in Farbe (PNG)</translation>
+            <source>Save the predicted colour photo of the screen (PNG)</source>
+            <translation>Vorhergesagtes Farbfoto des Schirms speichern (PNG)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -600,8 +685,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go back to the file as it was saved; this can be undone</source>
-            <translation>Zur gespeicherten Datei zurückkehren; lässt sich rückgängig machen</translation>
+            <source>Restore the saved file; Undo reverts</source>
+            <translation>Gespeicherte Datei wiederherstellen; lässt sich rückgängig machen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -610,8 +695,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the last change back</source>
-            <translation>Die letzte Änderung zurücknehmen</translation>
+            <source>Undo the last change</source>
+            <translation>Letzte Änderung rückgängig machen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -620,8 +705,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Make the change again</source>
-            <translation>Die Änderung erneut ausführen</translation>
+            <source>Redo the change</source>
+            <translation>Änderung wiederholen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -630,8 +715,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Make the picture on the clipboard the target</source>
-            <translation>Das Bild der Zwischenablage zum Ziel machen</translation>
+            <source>Use the picture on the clipboard as the target</source>
+            <translation>Bild der Zwischenablage als Ziel verwenden</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -640,8 +725,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Copy a picture of the plot that was clicked last, to paste it elsewhere</source>
-            <translation>Ein Bild des zuletzt angeklickten Diagramms kopieren, um es anderswo einzufügen</translation>
+            <source>Copy a picture of the plot that was clicked last</source>
+            <translation>Bild des zuletzt angeklickten Diagramms kopieren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -650,8 +735,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)</source>
-            <translation>Das zuletzt angeklickte Diagramm speichern: als Bild (PNG, SVG) oder seine Zahlen (CSV)</translation>
+            <source>Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)</source>
+            <translation>Zuletzt angeklicktes Diagramm speichern, als Bild (PNG, SVG) oder Zahlen (CSV)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -660,13 +745,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the lens from nothing; one that is there gives way, and Undo brings it back</source>
-            <translation>Die Linse von Grund auf entwerfen; eine vorhandene wird ersetzt, Rückgängig bringt sie zurück</translation>
+            <source>Design from scratch. Replaces this lens; Undo restores it.</source>
+            <translation>Neu entwerfen. Ersetzt diese Linse; Rückgängig stellt sie wieder her.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the mirror from nothing; one that is there gives way, and Undo brings it back</source>
-            <translation>Den Spiegel von Grund auf entwerfen; ein vorhandener wird ersetzt, Rückgängig bringt ihn zurück</translation>
+            <source>Design from scratch. Replaces this mirror; Undo restores it.</source>
+            <translation>Neu entwerfen. Ersetzt diesen Spiegel; Rückgängig stellt ihn wieder her.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -675,13 +760,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go on designing from the lens as it is, with as many more iterations</source>
-            <translation>Von der jetzigen Linse aus weiter entwerfen, mit ebenso vielen weiteren Iterationen</translation>
+            <source>Continue the design of this lens with more iterations</source>
+            <translation>Entwurf dieser Linse mit weiteren Iterationen fortsetzen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go on designing from the mirror as it is, with as many more iterations</source>
-            <translation>Vom jetzigen Spiegel aus weiter entwerfen, mit ebenso vielen weiteren Iterationen</translation>
+            <source>Continue the design of this mirror with more iterations</source>
+            <translation>Entwurf dieses Spiegels mit weiteren Iterationen fortsetzen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -690,8 +775,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Hold the design; again to go on</source>
-            <translation>Den Entwurf anhalten; erneut, um fortzufahren</translation>
+            <source>Pause the design, or resume it</source>
+            <translation>Entwurf anhalten oder fortsetzen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -710,18 +795,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Follow edits</source>
-            <translation>&amp;Änderungen folgen</translation>
+            <source>&amp;Live update</source>
+            <translation>Live-&amp;Aktualisierung</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the lens anew after every edit, while no run goes on</source>
-            <translation>Die Linse nach jeder Änderung neu entwerfen, solange kein Lauf im Gange ist</translation>
+            <source>Update the lens after every edit, except during a run</source>
+            <translation>Linse nach jeder Änderung neu entwerfen, außer während eines Laufs</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the mirror anew after every edit, while no run goes on</source>
-            <translation>Den Spiegel nach jeder Änderung neu entwerfen, solange kein Lauf im Gange ist</translation>
+            <source>Update the mirror after every edit, except during a run</source>
+            <translation>Spiegel nach jeder Änderung neu entwerfen, außer während eines Laufs</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -730,13 +815,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design a lens for each of several values of a field, and see all in a table</source>
-            <translation>Für jeden von mehreren Werten eines Feldes eine Linse entwerfen und alle in einer Tabelle sehen</translation>
+            <source>Design a lens for each of several values of a field</source>
+            <translation>Für jeden von mehreren Werten eines Feldes eine Linse entwerfen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design a mirror for each of several values of a field, and see all in a table</source>
-            <translation>Für jeden von mehreren Werten eines Feldes einen Spiegel entwerfen und alle in einer Tabelle sehen</translation>
+            <source>Design a mirror for each of several values of a field</source>
+            <translation>Für jeden von mehreren Werten eines Feldes einen Spiegel entwerfen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -745,13 +830,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give the design task and lens of the run chosen in the dock Runs</source>
-            <translation>Dem Entwurf Aufgabe und Linse des im Bereich „Läufe“ gewählten Laufs geben</translation>
+            <source>Restore task and lens of the run selected in the dock Runs</source>
+            <translation>Aufgabe und Linse des im Dock Läufe gewählten Laufs wiederherstellen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give the design task and mirror of the run chosen in the dock Runs</source>
-            <translation>Dem Entwurf Aufgabe und Spiegel des im Bereich „Läufe“ gewählten Laufs geben</translation>
+            <source>Restore task and mirror of the run selected in the dock Runs</source>
+            <translation>Aufgabe und Spiegel des im Dock Läufe gewählten Laufs wiederherstellen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -760,8 +845,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the two runs chosen in the dock Runs beside each other: light, figures, fields</source>
-            <translation>Die beiden im Bereich „Läufe“ gewählten Läufe nebeneinander sehen: Licht, Zahlen, Felder</translation>
+            <source>Compare irradiance, figures and fields of the two runs selected in the dock Runs</source>
+            <translation>Bestrahlungsstärke, Kennzahlen und Felder der zwei im Dock Läufe gewählten Läufe vergleichen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -770,8 +855,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Forget the runs chosen in the dock Runs</source>
-            <translation>Die im Bereich „Läufe“ gewählten Läufe verwerfen</translation>
+            <source>Delete the runs selected in the dock Runs</source>
+            <translation>Die im Dock Läufe gewählten Läufe löschen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -785,13 +870,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Trace the lens on show anew, with rays that its design never saw; again to cancel</source>
-            <translation>Die gezeigte Linse neu durchrechnen, mit Strahlen, die ihr Entwurf nie gesehen hat; erneut zum Abbrechen</translation>
+            <source>Check this lens with an independent ray trace; again to cancel</source>
+            <translation>Diese Linse mit unabhängigem Raytracing prüfen; nochmals zum Abbrechen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Trace the mirror on show anew, with rays that its design never saw; again to cancel</source>
-            <translation>Den gezeigten Spiegel neu durchrechnen, mit Strahlen, die sein Entwurf nie gesehen hat; erneut zum Abbrechen</translation>
+            <source>Check this mirror with an independent ray trace; again to cancel</source>
+            <translation>Diesen Spiegel mit unabhängigem Raytracing prüfen; nochmals zum Abbrechen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -800,13 +885,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show lens and screen whole</source>
-            <translation>Linse und Schirm ganz zeigen</translation>
+            <source>Fit lens and screen into the view</source>
+            <translation>Linse und Schirm einpassen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show mirror and screen whole</source>
-            <translation>Spiegel und Schirm ganz zeigen</translation>
+            <source>Fit mirror and screen into the view</source>
+            <translation>Spiegel und Schirm einpassen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -820,13 +905,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the lens as large as it can be</source>
-            <translation>Die Linse so groß wie möglich sehen</translation>
+            <source>Fit the lens into the view</source>
+            <translation>Linse einpassen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the mirror as large as it can be</source>
-            <translation>Den Spiegel so groß wie möglich sehen</translation>
+            <source>Fit the mirror into the view</source>
+            <translation>Spiegel einpassen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -835,8 +920,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the screen as large as it can be</source>
-            <translation>Den Schirm so groß wie möglich sehen</translation>
+            <source>Fit the screen into the view</source>
+            <translation>Schirm einpassen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -845,8 +930,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look at the 3D scene along x: light goes right</source>
-            <translation>Die 3D-Szene entlang x ansehen: Licht läuft nach rechts</translation>
+            <source>View along x; light travels to the right</source>
+            <translation>Ansicht entlang x; Licht läuft nach rechts</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -855,8 +940,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look at the 3D scene along y: light goes right</source>
-            <translation>Die 3D-Szene entlang y ansehen: Licht läuft nach rechts</translation>
+            <source>View along y; light travels to the right</source>
+            <translation>Ansicht entlang y; Licht läuft nach rechts</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -865,23 +950,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look back along z from behind the screen</source>
-            <translation>Entlang z von hinter dem Schirm zurückblicken</translation>
+            <source>View along −z from behind the screen</source>
+            <translation>Ansicht entlang −z von hinter dem Schirm</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Shorten gaps</source>
-            <translation>Abstände &amp;verkürzen</translation>
+            <source>&amp;Compress distances</source>
+            <translation>Abstände sta&amp;uchen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw a far source and screen nearer, and a large screen smaller, to see the lens</source>
-            <translation>Ferne Quelle und fernen Schirm näher, großen Schirm kleiner zeichnen, damit die Linse zu sehen ist</translation>
+            <source>Draw far elements nearer and a large screen smaller, to enlarge the lens</source>
+            <translation>Ferne Elemente näher und einen großen Schirm kleiner zeichnen, damit die Linse größer erscheint</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw a far source and screen nearer, and a large screen smaller, to see the mirror</source>
-            <translation>Ferne Quelle und fernen Schirm näher, großen Schirm kleiner zeichnen, damit der Spiegel zu sehen ist</translation>
+            <source>Draw far elements nearer and a large screen smaller, to enlarge the mirror</source>
+            <translation>Ferne Elemente näher und einen großen Schirm kleiner zeichnen, damit der Spiegel größer erscheint</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -920,8 +1005,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Colours of light in the images and on the screen of the 3D scene</source>
-            <translation>Farben des Lichts in den Bildern und auf dem Schirm der 3D-Szene</translation>
+            <source>Colour map of images and 3D screen</source>
+            <translation>Farbskala der Bilder und des 3D-Schirms</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -945,8 +1030,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show all windows light, dark, or as the system is</source>
-            <translation>Alle Fenster hell, dunkel oder wie das System zeigen</translation>
+            <source>Light, dark or the system's theme for all windows</source>
+            <translation>Helles, dunkles oder das Thema des Systems für alle Fenster</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -960,8 +1045,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Language of the window; the command line speaks English</source>
-            <translation>Sprache des Fensters; die Befehlszeile spricht Englisch</translation>
+            <source>Language of the window; the command line is in English</source>
+            <translation>Sprache des Fensters; die Kommandozeile ist englisch</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -995,8 +1080,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>By the part of a ray's light that arrives</source>
-            <translation>Nach dem Teil des Lichts eines Strahls, der ankommt</translation>
+            <source>By the fraction of a ray's flux that arrives</source>
+            <translation>Nach dem Anteil des Flusses, der ankommt</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1005,13 +1090,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens as glass or metal</source>
-            <translation>Flächen der Linse als Glas oder Metall</translation>
+            <source>Draw faces of the lens as glass or metal</source>
+            <translation>Flächen der Linse als Glas oder Metall zeichnen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror as glass or metal</source>
-            <translation>Flächen des Spiegels als Glas oder Metall</translation>
+            <source>Draw faces of the mirror as glass or metal</source>
+            <translation>Flächen des Spiegels als Glas oder Metall zeichnen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1020,13 +1105,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens from dark, low along z, to bright</source>
-            <translation>Flächen der Linse von dunkel (tief entlang z) bis hell</translation>
+            <source>Colour faces of the lens by height along z: dark is low</source>
+            <translation>Flächen der Linse nach Höhe entlang z färben: dunkel ist niedrig</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror from dark, low along z, to bright</source>
-            <translation>Flächen des Spiegels von dunkel (tief entlang z) bis hell</translation>
+            <source>Colour faces of the mirror by height along z: dark is low</source>
+            <translation>Flächen des Spiegels nach Höhe entlang z färben: dunkel ist niedrig</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1035,13 +1120,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens red where they are bowl-shaped towards +z, blue where humped</source>
-            <translation>Flächen der Linse rot, wo sie zu +z hin schalenförmig sind, blau, wo gewölbt</translation>
+            <source>Colour faces of the lens by curvature: red is concave towards +z, blue convex</source>
+            <translation>Flächen der Linse nach Krümmung färben: rot ist konkav zu +z, blau konvex</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror red where they are bowl-shaped towards +z, blue where humped</source>
-            <translation>Flächen des Spiegels rot, wo sie zu +z hin schalenförmig sind, blau, wo gewölbt</translation>
+            <source>Colour faces of the mirror by curvature: red is concave towards +z, blue convex</source>
+            <translation>Flächen des Spiegels nach Krümmung färben: rot ist konkav zu +z, blau konvex</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1050,13 +1135,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light the fine shape of faces as if it were higher; the lens stays as it is</source>
-            <translation>Die feine Form der Flächen so beleuchten, als wäre sie höher; die Linse bleibt, wie sie ist</translation>
+            <source>Exaggerate the relief of faces in the 3D view; the lens is unchanged</source>
+            <translation>Relief der Flächen in der 3D-Ansicht überhöhen; die Linse bleibt unverändert</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light the fine shape of faces as if it were higher; the mirror stays as it is</source>
-            <translation>Die feine Form der Flächen so beleuchten, als wäre sie höher; der Spiegel bleibt, wie er ist</translation>
+            <source>Exaggerate the relief of faces in the 3D view; the mirror is unchanged</source>
+            <translation>Relief der Flächen in der 3D-Ansicht überhöhen; der Spiegel bleibt unverändert</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1065,8 +1150,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw what is farther away smaller, instead of in parallel</source>
-            <translation>Entferntes kleiner zeichnen statt parallel</translation>
+            <source>Perspective instead of parallel projection</source>
+            <translation>Perspektive statt Parallelprojektion</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1075,8 +1160,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Put the 3D scene on the clipboard</source>
-            <translation>Die 3D-Szene in die Zwischenablage legen</translation>
+            <source>Copy a picture of the 3D scene to the clipboard</source>
+            <translation>Bild der 3D-Szene in die Zwischenablage kopieren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1115,8 +1200,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Mouse and arrow keys turn the 3D scene; click to pick</source>
-            <translation>Maus und Pfeiltasten drehen die 3D-Szene; Klick wählt aus</translation>
+            <source>Rotate the 3D scene by mouse or arrow keys; click to select</source>
+            <translation>3D-Szene mit Maus oder Pfeiltasten drehen; Klick wählt aus</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1140,8 +1225,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Paint control points that a run must leave</source>
-            <translation>Kontrollpunkte markieren, die ein Lauf unverändert lässt</translation>
+            <source>Paint control points that runs must not change</source>
+            <translation>Kontrollpunkte übermalen, die Läufe nicht ändern dürfen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1150,8 +1235,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source; Ctrl: along z</source>
-            <translation>Die Quelle ziehen; Strg: entlang z</translation>
+            <source>Drag the source; with Ctrl along z</source>
+            <translation>Quelle ziehen; mit Strg entlang z</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1160,18 +1245,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
-            <translation>Ausschnitte auf den Bildern des Lichts zeichnen oder ihre Ränder verschieben: ein Rechteck ziehen, oder die Ecken eines Polygons anklicken und doppelklicken. Esc beendet das</translation>
+            <source>Drag a rectangle on an image, or click the corners of a polygon and double-click; drag edges to move them. Esc ends</source>
+            <translation>Rechteck auf einem Bild ziehen oder Ecken eines Polygons anklicken und doppelklicken; Kanten lassen sich ziehen. Esc beendet</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Image as wide and high as the &amp;picture</source>
-            <translation>Bild so breit und hoch wie die Bild&amp;vorlage</translation>
+            <source>Use aspect of the &amp;picture</source>
+            <translation>Seiten&amp;verhältnis des Bildes verwenden</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give screen or far field, and their pixels, the aspect of the target's picture</source>
-            <translation>Schirm oder Fernfeld und ihren Pixeln das Seitenverhältnis der Bildvorlage geben</translation>
+            <source>Set size and pixels of the receiver to the aspect of the target's picture</source>
+            <translation>Größe und Pixel des Empfängers auf das Seitenverhältnis des Zielbilds setzen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1180,8 +1265,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let light meet a second freeform face first, or a flat one again; the exit face stays</source>
-            <translation>Das Licht zuerst auf eine zweite Freiformfläche treffen lassen oder wieder auf eine ebene; die Austrittsfläche bleibt</translation>
+            <source>Make the entrance face freeform, or flat again; the exit face is unchanged</source>
+            <translation>Eintrittsfläche zur Freiformfläche machen oder wieder eben; die Austrittsfläche bleibt</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1190,13 +1275,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Turn the lens over, to sculpt or lock its other freeform face</source>
-            <translation>Die Linse umdrehen, um ihre andere Freiformfläche zu modellieren oder zu sperren</translation>
+            <source>Select the other freeform face of the lens for sculpting and locking</source>
+            <translation>Die andere Freiformfläche der Linse zum Modellieren und Sperren wählen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Turn the mirror over, to sculpt or lock its other freeform face</source>
-            <translation>Den Spiegel umdrehen, um seine andere Freiformfläche zu modellieren oder zu sperren</translation>
+            <source>Select the other freeform face of the mirror for sculpting and locking</source>
+            <translation>Die andere Freiformfläche des Spiegels zum Modellieren und Sperren wählen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1225,13 +1310,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Leave the whole lens as it is in runs</source>
-            <translation>Die ganze Linse in Läufen so lassen, wie sie ist</translation>
+            <source>Lock all control points of the lens in runs</source>
+            <translation>Alle Kontrollpunkte der Linse in Läufen sperren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Leave the whole mirror as it is in runs</source>
-            <translation>Den ganzen Spiegel in Läufen so lassen, wie er ist</translation>
+            <source>Lock all control points of the mirror in runs</source>
+            <translation>Alle Kontrollpunkte des Spiegels in Läufen sperren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1240,13 +1325,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let runs change the whole lens</source>
-            <translation>Läufe die ganze Linse ändern lassen</translation>
+            <source>Unlock all control points of the lens</source>
+            <translation>Alle Kontrollpunkte der Linse entsperren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let runs change the whole mirror</source>
-            <translation>Läufe den ganzen Spiegel ändern lassen</translation>
+            <source>Unlock all control points of the mirror</source>
+            <translation>Alle Kontrollpunkte des Spiegels entsperren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1255,8 +1340,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Lock what is unlocked, and the reverse</source>
-            <translation>Freies sperren und umgekehrt</translation>
+            <source>Lock unlocked control points, and unlock locked ones</source>
+            <translation>Entsperrte Kontrollpunkte sperren und gesperrte entsperren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1275,8 +1360,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Put all docks where they stood at first</source>
-            <translation>Alle Bereiche dorthin stellen, wo sie anfangs standen</translation>
+            <source>Restore the initial arrangement of docks</source>
+            <translation>Anfängliche Anordnung der Docks wiederherstellen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1285,8 +1370,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the keyboard to the next pane</source>
-            <translation>Die Tastatur in den nächsten Bereich setzen</translation>
+            <source>Move the keyboard focus to the next pane</source>
+            <translation>Tastaturfokus zum nächsten Bereich</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1295,8 +1380,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the keyboard to the pane before</source>
-            <translation>Die Tastatur in den vorigen Bereich setzen</translation>
+            <source>Move the keyboard focus to the previous pane</source>
+            <translation>Tastaturfokus zum vorigen Bereich</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1305,8 +1390,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show this pane and take the keyboard there</source>
-            <translation>Diesen Bereich zeigen und die Tastatur dorthin setzen</translation>
+            <source>Show this pane and focus it</source>
+            <translation>Diesen Bereich zeigen und fokussieren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1410,8 +1495,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>All keys, to be found by name or by key</source>
-            <translation>Alle Tasten, nach Namen oder Taste zu finden</translation>
+            <source>All keyboard shortcuts, with search</source>
+            <translation>Alle Tastenkürzel, mit Suche</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1430,8 +1515,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>All that can be done, here and in a shell, and what has been measured</source>
-            <translation>Alles, was möglich ist, hier und in einer Shell, und was gemessen wurde</translation>
+            <source>Manual of window, command line and methods</source>
+            <translation>Handbuch zu Fenster, Kommandozeile und Verfahren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1440,323 +1525,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>What this program is</source>
-            <translation>Was dieses Programm ist</translation>
+            <source>About this program</source>
+            <translation>Über dieses Programm</translation>
         </message>
         <message>
-            <location filename="../../ui/check/check.py" />
-            <source>The light of this design is still being traced. Try again in a moment.</source>
-            <translation>Das Licht dieses Entwurfs wird noch durchgerechnet. Gleich noch einmal versuchen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>checking…</source>
-            <translation>Prüfung läuft …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>Prüfung läuft … {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Check failed</source>
-            <translation>Prüfung fehlgeschlagen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Checked error {verified}</source>
-            <translation>Geprüfter Fehler {verified}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
-            <translation>Prüfung mit {rays:,} neuen Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit der Streuung der Strahlen {relative_l2:.2f} ± {noise:.2f} %, Zielfunktion {loss}; {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>check</source>
-            <translation>Prüfung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>F8 traces what is on show anew, with rays that its design never saw.</source>
-            <translation>F8 rechnet das Gezeigte neu durch, mit Strahlen, die sein Entwurf nie gesehen hat.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>check failed</source>
-            <translation>Prüfung fehlgeschlagen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells and random rays trace the same light by different means. Where they differ by more than noise and error bounds explain, one of them is wrong.</source>
-            <translation>Zellen und Zufallsstrahlen berechnen dasselbe Licht auf verschiedenen Wegen. Weichen sie stärker ab, als Rauschen und Fehlerschranken erklären, ist eines von beiden falsch.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>no deterministic figure</source>
-            <translation>kein deterministischer Wert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The error is by random rays alone, whose noise is in the intervals below.</source>
-            <translation>Der Fehler stammt allein von Zufallsstrahlen, deren Rauschen in den Intervallen unten steht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>optimiser and check</source>
-            <translation>Optimierer und Prüfung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The image and the efficiency of the design differ from the check by more than errors explain: the optimiser traces fewer rays.</source>
-            <translation>Bild und Wirkungsgrad des Entwurfs weichen von der Prüfung stärker ab, als Fehler erklären: der Optimierer rechnet weniger Strahlen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>verified error</source>
-            <translation>geprüfter Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 error of image and target, by cells and without random rays: what the optic itself is off.</source>
-            <translation>Relativer L2-Fehler von Bild und Ziel, über Zellen und ohne Zufallsstrahlen: die Abweichung der Optik selbst.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>it is surely</source>
-            <translation>er liegt sicher</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where that error lies, by a bound from two sizes of cells.</source>
-            <translation>Wo dieser Fehler liegt, nach einer Schranke aus zwei Zellgrößen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells of the entrance face whose light is spread over what they cover there.</source>
-            <translation>Zellen der Eintrittsfläche, deren Licht auf das verteilt wird, was sie dort bedecken.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>error by independent images</source>
-            <translation>Fehler aus unabhängigen Bildern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells would have to be finer than time allows: the error, and where it lies with 95 % confidence, are from pairs of images by random rays: their scatter has no mean.</source>
-            <translation>Die Zellen müssten feiner sein, als die Zeit erlaubt: der Fehler und wo er mit 95 % Konfidenz liegt, stammen aus Paaren von Bildern mit Zufallsstrahlen: ihre Streuung hat keinen Mittelwert.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>random rays are off by</source>
-            <translation>Zufallsstrahlen weichen ab um</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 difference of the two images: the second opinion. About once the noise of the rays is what chance alone makes.</source>
-            <translation>Relative L2-Differenz der beiden Bilder: die Zweitmeinung. Etwa das Einfache des Strahlrauschens ist, was der Zufall allein ausmacht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>relative L2 error</source>
-            <translation>relativer L2-Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter of the rays from pixel to pixel is in it; more rays make it smaller.</source>
-            <translation>‖I − T‖ / ‖T‖ von Bild und Ziel, jeweils durch ihre Summe geteilt. Die Streuung der Strahlen von Pixel zu Pixel ist darin; mehr Strahlen verkleinern sie.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>95 % of other rays</source>
-            <translation>95 % anderer Strahlen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where the error with scatter lies for as many other rays.</source>
-            <translation>Wo der Fehler mit Streuung für ebenso viele andere Strahlen liegt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>without ray noise</source>
-            <translation>ohne Strahlrauschen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The same error without the scatter of the rays: what the optic itself is off. With &lt; if so few rays cannot tell it from none.</source>
-            <translation>Derselbe Fehler ohne die Streuung der Strahlen: die Abweichung der Optik selbst. Mit &lt;, wenn so wenige Strahlen ihn nicht von keinem unterscheiden können.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>95 % confidence</source>
-            <translation>95 % Konfidenz</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where the error of the optic itself lies.</source>
-            <translation>Wo der Fehler der Optik selbst liegt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>loss of the paper</source>
-            <translation>Zielfunktion der Veröffentlichung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
-            <translation>Die Norm der Differenz von Bild und Ziel, jeweils durch ihre Summe geteilt, durch die Wurzel der Pixelzahl.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>PSNR</source>
-            <translation>PSNR</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
-            <translation>Spitzen-Signal-Rausch-Verhältnis, bezogen auf die Spitze des Ziels: mehr ist besser.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>SSIM</source>
-            <translation>SSIM</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
-            <translation>Mittlere strukturelle Ähnlichkeit in Fenstern von 11 × 11 Pixeln: 1 bei gleichen Bildern.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Pearson's coefficient of image and target over the pixels: 1 for images of one shape.</source>
-            <translation>Korrelationskoeffizient nach Pearson von Bild und Ziel über die Pixel: 1 bei Bildern gleicher Form.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Least over mean of irradiance / target where the target is lit, at half its peak or more: 1 is even, 0 has a dark pixel.</source>
-            <translation>Kleinstes durch Mittel von Bestrahlungsstärke / Ziel, wo das Ziel hell ist, ab der Hälfte seiner Spitze: 1 ist gleichmäßig, 0 hat ein dunkles Pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
-            <translation>(hell − schwarz) / (hell + schwarz) der mittleren Bestrahlungsstärken dort; schwarz ist bis zu einem Hundertstel der Spitze des Ziels. 1 ist vollkommenes Schwarz.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Part of the emitted light that makes the image.</source>
-            <translation>Teil des ausgesandten Lichts, der das Bild macht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>meets the face again</source>
-            <translation>trifft die Fläche erneut</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Light that comes back to the face which it leaves, as in a deep bowl. Image and efficiency count it as if nothing were in its way.</source>
-            <translation>Licht, das zu der Fläche zurückkommt, die es verlässt, wie in einer tiefen Schale. Bild und Wirkungsgrad zählen es, als wäre nichts im Weg.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>comes through the screen</source>
-            <translation>kommt durch den Schirm</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Light that the screen keeps from the mirror. Image and efficiency count it as if the screen were not in its way; a screen beside the axis is not.</source>
-            <translation>Licht, das der Schirm vom Spiegel fernhält. Bild und Wirkungsgrad zählen es, als wäre der Schirm nicht im Weg; ein Schirm neben der Achse ist es nicht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>off the optimiser's image</source>
-            <translation>Abweichung vom Bild des Optimierers</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 difference to the image that the optimiser sees. Its filter and the scatter of these rays are in it.</source>
-            <translation>Relative L2-Differenz zum Bild, das der Optimierer sieht. Sein Filter und die Streuung dieser Strahlen sind darin.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of the image; a quarter as many more are traced for the error without scatter.</source>
-            <translation>Strahlen des Bildes; für den Fehler ohne Streuung wird ein Viertel mehr gerechnet.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>cells</source>
-            <translation>Zellen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>correlation</source>
-            <translation>Korrelation</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>uniformity</source>
-            <translation>Gleichmäßigkeit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>contrast</source>
-            <translation>Kontrast</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>efficiency</source>
-            <translation>Wirkungsgrad</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>rays</source>
-            <translation>Strahlen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Part of the emitted light that falls on the region, and its darkest and brightest pixel over the mean: 1 is even.</source>
-            <translation>Teil des ausgesandten Lichts, der auf den Ausschnitt fällt, und sein dunkelstes und hellstes Pixel bezogen auf das Mittel: 1 ist gleichmäßig.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Figures of the check</source>
-            <translation>Zahlen der Prüfung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Copy</source>
-            <translation>Kopieren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of a check</source>
-            <translation>Strahlen einer Prüfung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of a check; four times as many halve their scatter</source>
-            <translation>Strahlen einer Prüfung; viermal so viele halbieren die Streuung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>{rays} million rays</source>
-            <translation>{rays} Mio. Strahlen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Put all figures on the clipboard, a tab between name and value</source>
-            <translation>Alle Zahlen in die Zwischenablage legen, ein Tabulator zwischen Name und Wert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>image {number}: {name}</source>
-            <translation>Bild {number}: {name}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source> Out of date: these figures are of the design before.</source>
-            <translation> Veraltet: diese Zahlen gehören zum vorigen Entwurf.</translation>
+            <location filename="../../ui/background.py" />
+            <source>The {work} failed: {error}</source>
+            <translation>{work} fehlgeschlagen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -1764,119 +1539,439 @@
             <translation>Werkzeugleiste</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is one freeform face: Freeform entrance face gives a lens a second one</source>
-            <translation>Es gibt eine Freiformfläche: „Freiform-Eintrittsfläche“ gibt einer Linse eine zweite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Not while a run goes on: it works on the design as it was when it began. Stop it first</source>
-            <translation>Nicht während eines Laufs: er arbeitet am Entwurf, wie er zu Beginn war. Zuerst stoppen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Flat &amp;entrance face</source>
-            <translation>&amp;Ebene Eintrittsfläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Freeform &amp;entrance face</source>
-            <translation>Fr&amp;eiform-Eintrittsfläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>&amp;Start over</source>
-            <translation>&amp;Neu starten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>&amp;Resume</source>
-            <translation>&amp;Weiter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is no lens yet: Start designs one</source>
-            <translation>Es gibt noch keine Linse: Start entwirft eine</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is no mirror yet: Start designs one</source>
-            <translation>Es gibt noch keinen Spiegel: Start entwirft einen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>the best lens so far</source>
-            <translation>die bisher beste Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>the best mirror so far</source>
-            <translation>der bisher beste Spiegel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Takes {lens}</source>
-            <translation>Verwendet wird: {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>A lens has one freeform face</source>
-            <translation>Eine Linse hat eine Freiformfläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>A mirror has one freeform face</source>
-            <translation>Ein Spiegel hat eine Freiformfläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/language_choice.py" />
+            <location filename="../../ui/commands/choices.py" />
             <source>The language changes at the next start.</source>
             <translation>Die Sprache ändert sich beim nächsten Start.</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Command palette</source>
             <translation>Befehlspalette</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
-            <source>Type parts of a command's name</source>
-            <translation>Teile eines Befehlsnamens eingeben</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>Search commands</source>
+            <translation>Befehle suchen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
-            <source>No command has all of this in its name: {words}</source>
-            <translation>Kein Befehl hat all das im Namen: {words}</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>No command found: {words}</source>
+            <translation>Kein Befehl gefunden: {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Keyboard shortcuts</source>
             <translation>Tastenkürzel</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
-            <source>Find by a part of the name, or by the key</source>
-            <translation>Nach einem Teil des Namens oder nach der Taste suchen</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>Search by name or key</source>
+            <translation>Nach Name oder Taste suchen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Find a shortcut</source>
             <translation>Tastenkürzel suchen</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Command</source>
             <translation>Befehl</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Key</source>
             <translation>Taste</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>Side view of the job</source>
+            <translation>Seitenansicht der Aufgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>From the side</source>
+            <translation>Von der Seite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>From above</source>
+            <translation>Von oben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>, heights × {across:.1f}</source>
+            <translation>, Höhen × {across:.1f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>, to scale</source>
+            <translation>, maßstäblich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/gallery.py" />
+            <source>New from example</source>
+            <translation>Neu aus Beispiel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/gallery.py" />
+            <source>Examples</source>
+            <translation>Beispiele</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Manual</source>
+            <translation>Handbuch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Search the manual</source>
+            <translation>Im Handbuch suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Find pages with all words; Return shows the next match</source>
+            <translation>Seiten mit allen Wörtern finden; Eingabe zeigt den nächsten Treffer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Pages of the manual</source>
+            <translation>Seiten des Handbuchs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>No page found: {words}</source>
+            <translation>Keine Seite gefunden: {words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>New here? A tour of {count} steps explains the window. Help &gt; Tour starts it at any time.</source>
+            <translation>Neu hier? Ein Rundgang in {count} Schritten erklärt das Fenster. Hilfe &gt; Rundgang startet ihn jederzeit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Start tour</source>
+            <translation>Rundgang starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>About {title}</source>
+            <translation>Über {title}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Designs freeform lenses and mirrors that form a given irradiance.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Entwirft Freiformlinsen und -spiegel, die eine vorgegebene Bestrahlungsstärke erzeugen.&lt;/p&gt;&lt;p&gt;MIT-Lizenz&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_form.py" />
+            <source>picture</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_form.py" />
+            <source>file of light</source>
+            <translation>Lichtdatei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>outlook</source>
+            <translation>Vorschau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Best possible image</source>
+            <translation>Bestmögliches Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>The source size blurs the image of any lens</source>
+            <translation>Die Größe der Quelle verwischt das Bild jeder Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Best possible</source>
+            <translation>Bestmöglich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Computing the estimate…</source>
+            <translation>Abschätzung wird berechnet …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Outdated figures.</source>
+            <translation>Veraltete Kennzahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Schätzung läuft … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>New design</source>
+            <translation>Neuer Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Jobs</source>
+            <translation>Aufgaben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Beginnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Open a file…</source>
+            <translation>Datei &amp;öffnen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>E&amp;xamples…</source>
+            <translation>B&amp;eispiele …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Beginn nicht möglich: {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Picture</source>
+            <translation>Motiv</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>File of light</source>
+            <translation>Lichtdatei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs and checks a lens for each value, or each pair of values of two fields. The folder gets the sessions and a table (CSV, JSON). Finished designs are skipped.</source>
+            <translation>Entwirft und prüft eine Linse für jeden Wert oder jedes Wertepaar zweier Felder. Der Ordner erhält die Sitzungen und eine Tabelle (CSV, JSON). Fertige Entwürfe werden übersprungen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Verified error</source>
+            <translation>Geprüfter Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Iterations</source>
+            <translation>Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Seconds</source>
+            <translation>Sekunden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Sweep</source>
+            <translation>Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Folder</source>
+            <translation>Ordner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Progress of the sweep</source>
+            <translation>Fortschritt der Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>&amp;Open design</source>
+            <translation>&amp;Entwurf öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Open the session of the selected row</source>
+            <translation>Sitzung der gewählten Zeile öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Choose a folder for the designs.</source>
+            <translation>Einen Ordner für die Entwürfe wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Chosen at the start</source>
+            <translation>Wird beim Start gewählt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Choose the folder</source>
+            <translation>Den Ordner wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>sweep</source>
+            <translation>Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Stop</source>
+            <translation>Stopp</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} von {wanted} Entwürfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs of the sweep</source>
+            <translation>Entwürfe der Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
+            <translation>Werte durch Kommas trennen: 1, 2.5, 3; Bereiche wie 0..4; Paare wie 64x48; Wörter wie auto. Längen in der Einheit der Szene.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Field</source>
+            <translation>Feld</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Second field</source>
+            <translation>Zweites Feld</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Values of {field}</source>
+            <translation>Werte von {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>none</source>
+            <translation>ohne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>now {value}</source>
+            <translation>jetzt {value}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Verified error over the values</source>
+            <translation>Geprüfter Fehler über den Werten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Describe the task</source>
+            <translation>Die Aufgabe beschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Enter target image, lens, source and screen here. An impossible value is refused beside its field, with the allowed range. Drop a picture onto the window to use it as the target.</source>
+            <translation>Hier werden Zielbild, Linse, Quelle und Schirm eingetragen. Ein unmöglicher Wert wird neben seinem Feld abgelehnt, mit dem erlaubten Bereich. Ein Bild, das auf das Fenster gezogen wird, wird das Ziel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it with the best lens so far, Continue resumes from that lens.</source>
+            <translation>Start (F5) entwirft die Linse. Pause (F6) unterbricht den Lauf, Stopp (F7) beendet ihn mit der bisher besten Linse, Fortsetzen geht von dieser Linse aus.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
+            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Umschalt-Ziehen verschiebt, das Rad zoomt; auch mit Pfeiltasten, + und −. Strg+1 passt die Linse ein, Strg+2 den Schirm, Strg+0 alles; Strg+D staucht Abstände.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Irradiance on the screen</source>
+            <translation>Bestrahlungsstärke auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Flux per area, updated during the run. The error beside it: red is too much light, blue too little. Both images zoom and move together.</source>
+            <translation>Fluss pro Fläche, während des Laufs aktualisiert. Daneben der Fehler: rot ist zu viel Licht, blau zu wenig. Beide Bilder zoomen und bewegen sich gemeinsam.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Course of the run</source>
+            <translation>Verlauf des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>The loss falls while the lens improves. The slider below shows earlier iterations; you can continue from any of them.</source>
+            <translation>Der Verlust fällt, während die Linse besser wird. Der Regler darunter zeigt frühere Iterationen; von jeder lässt sich fortsetzen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Undo and recovery</source>
+            <translation>Rückgängig und Wiederherstellung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step. Unsaved work is backed up every minute.</source>
+            <translation>Jede Änderung und jeder Lauf ist ein Schritt. Rückgängig mit Strg+Z oder durch Klick auf einen Schritt. Ungesicherte Arbeit wird jede Minute zwischengespeichert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Commands</source>
+            <translation>Befehle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Ctrl+Shift+P finds a command by parts of its name. File &gt; New from gallery shows the examples, File &gt; Export writes the lens for other programs.</source>
+            <translation>Strg+Umschalt+P findet einen Befehl nach Teilen seines Namens. Datei &gt; Neu aus Galerie zeigt die Beispiele, Datei &gt; Exportieren schreibt die Linse für andere Programme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Back</source>
+            <translation>&amp;Zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>End the tour (Esc); Help &gt; Tour starts it again</source>
+            <translation>Rundgang beenden (Esc); Hilfe &gt; Rundgang startet ihn neu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fertig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
             <location filename="../../ui/document/document.py" />
-            <source>new reading of the image</source>
-            <translation>Bild neu lesen</translation>
+            <source>reload of the image</source>
+            <translation>Neuladen des Bildes</translation>
         </message>
         <message>
             <location filename="../../ui/document/document.py" />
@@ -1887,6 +1982,56 @@
             <location filename="../../ui/document/document.py" />
             <source>revert to the file</source>
             <translation>zur Datei zurückkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>The file has changed</source>
+            <translation>Die Datei hat sich geändert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Another program has changed {name}.</source>
+            <translation>Ein anderes Programm hat {name} geändert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Overwrite discards its changes. Reload discards yours; Undo restores them.</source>
+            <translation>Überschreiben verwirft dessen Änderungen. Neu laden verwirft Ihre; Rückgängig stellt sie wieder her.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Overwrite</source>
+            <translation>Ü&amp;berschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Reload</source>
+            <translation>&amp;Neu laden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>The file is missing</source>
+            <translation>Die Datei fehlt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name} was deleted, moved or renamed.</source>
+            <translation>{name} wurde gelöscht, verschoben oder umbenannt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Its folder is missing too: {parent}</source>
+            <translation>Auch der Ordner fehlt: {parent}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Save there again</source>
+            <translation>&amp;Dort wieder speichern</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1905,13 +2050,13 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{path} is no longer there; it was taken off the list.</source>
-            <translation>{path} gibt es nicht mehr; der Eintrag wurde aus der Liste genommen.</translation>
+            <source>{path} no longer exists; it was removed from the list.</source>
+            <translation>{path} existiert nicht mehr und wurde aus der Liste entfernt.</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name}: the name of a design ends in {ending}</source>
-            <translation>{name}: der Name eines Entwurfs endet auf {ending}</translation>
+            <source>{name}: a design file ends in {ending}</source>
+            <translation>{name}: eine Entwurfsdatei endet auf {ending}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1930,7 +2075,7 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name} is open in another window: choose another name.</source>
+            <source>{name} is open in another window. Choose another name.</source>
             <translation>{name} ist in einem anderen Fenster geöffnet: einen anderen Namen wählen.</translation>
         </message>
         <message>
@@ -1949,84 +2094,34 @@
             <translation>{name} gespeichert, {size}{words}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>The file has changed</source>
-            <translation>Die Datei hat sich geändert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Another program has changed {name} since it was last read or saved here.</source>
-            <translation>Ein anderes Programm hat {name} geändert, seit die Datei hier zuletzt gelesen oder gespeichert wurde.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Overwrite loses what the file holds now. Reload shows it in place of your design; Undo brings your design back.</source>
-            <translation>Überschreiben verwirft, was die Datei jetzt enthält. Neu laden zeigt sie an Stelle Ihres Entwurfs; Rückgängig bringt Ihren Entwurf zurück.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Overwrite</source>
-            <translation>Ü&amp;berschreiben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Reload</source>
-            <translation>&amp;Neu laden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>The file is gone</source>
-            <translation>Die Datei ist verschwunden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>{name} has been deleted, moved or renamed since it was last saved here.</source>
-            <translation>{name} wurde gelöscht, verschoben oder umbenannt, seit die Datei hier zuletzt gespeichert wurde.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Save there again</source>
-            <translation>&amp;Dort wieder speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Its folder, {parent}, is gone, too.</source>
-            <translation>Auch der Ordner {parent} ist verschwunden.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>{name} is a file of light, not a design.</source>
             <translation>{name} ist eine Lichtdatei, kein Entwurf.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Use as light source</source>
             <translation>Als Lichtquelle verwenden</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>{name} is a picture, not a design.</source>
             <translation>{name} ist ein Bild, kein Entwurf.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Use as target</source>
             <translation>Als Ziel verwenden</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>There is no picture on the clipboard.</source>
             <translation>In der Zwischenablage ist kein Bild.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Target image</source>
             <translation>Zielbild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/chosen_files.py" />
-            <source>File of light</source>
-            <translation>Lichtdatei</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2040,18 +2135,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>One file is still being written; export the next after it.</source>
-            <translation>Eine Datei wird noch geschrieben; die nächste danach exportieren.</translation>
+            <source>A file is still being written. Export the next one after it.</source>
+            <translation>Eine Datei wird noch geschrieben. Danach die nächste exportieren.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>{name} is being written…</source>
+            <source>Writing {name}…</source>
             <translation>{name} wird geschrieben …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2060,8 +2150,8 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file is written.</source>
-            <translation>Es wird keine Datei geschrieben.</translation>
+            <source>No file was written.</source>
+            <translation>Keine Datei geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2069,77 +2159,42 @@
             <translation>{format} in {unit}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/gallery.py" />
-            <source>New from example</source>
-            <translation>Neu aus Beispiel</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Web page (*.html)</source>
+            <translation>Webseite (*.html)</translation>
         </message>
         <message>
-            <location filename="../../ui/files/gallery.py" />
-            <source>Examples</source>
-            <translation>Beispiele</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Document (*.pdf)</source>
+            <translation>Dokument (*.pdf)</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Unsaved work</source>
-            <translation>Ungespeicherte Arbeit</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>report</source>
+            <translation>Bericht</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>{name} had unsaved changes when the workbench was asked to end.</source>
-            <translation>{name} hatte ungespeicherte Änderungen, als die Workbench beendet wurde.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>A report is still being written. Start the next one after it.</source>
+            <translation>Ein Bericht wird noch geschrieben. Danach den nächsten starten.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>The workbench was not closed. Unsaved changes to {name} were kept.</source>
-            <translation>Die Workbench wurde nicht geschlossen. Ungespeicherte Änderungen an {name} wurden aufbewahrt.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Writing {file}, with a check of {lens}…</source>
+            <translation>{file} wird geschrieben, mit einer Prüfung: {lens} …</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
-            <translation>Aufbewahrt am {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Report {lens}</source>
+            <translation>Bericht: {lens}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>&amp;Recover</source>
-            <translation>&amp;Wiederherstellen</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No report was written.</source>
+            <translation>Kein Bericht geschrieben.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>&amp;Discard</source>
-            <translation>&amp;Verwerfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Ask &amp;later</source>
-            <translation>&amp;Später fragen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>There is no photo of this lens yet; save it once it is seen.</source>
-            <translation>Von dieser Linse gibt es noch kein Foto; speichern, sobald es zu sehen ist.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>{design} photo</source>
-            <translation>{design} Foto</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>Picture ({endings})</source>
-            <translation>Bild ({endings})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>Save predicted photo</source>
-            <translation>Vorhergesagtes Foto speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>The lens has changed since; save the photo of the new one.</source>
-            <translation>Die Linse hat sich seitdem geändert; das Foto der neuen speichern.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
+            <location filename="../../ui/files/exporter.py" />
             <source>{path} is written.</source>
             <translation>{path} ist geschrieben.</translation>
         </message>
@@ -2165,6 +2220,11 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
+            <source>Picture ({endings})</source>
+            <translation>Bild ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
             <source>plot</source>
             <translation>Diagramm</translation>
         </message>
@@ -2185,13 +2245,83 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>There is no plot to be seen; View shows the docks of all plots.</source>
-            <translation>Es ist kein Diagramm zu sehen; „Ansicht“ zeigt die Bereiche aller Diagramme.</translation>
+            <source>No plot is visible. The View menu shows the docks of plots.</source>
+            <translation>Kein Diagramm ist sichtbar. Das Menü Ansicht zeigt die Docks der Diagramme.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>One plot is still being written; save the next after it.</source>
-            <translation>Ein Diagramm wird noch geschrieben; das nächste danach speichern.</translation>
+            <source>A plot is still being written. Save the next one after it.</source>
+            <translation>Ein Diagramm wird noch geschrieben. Danach das nächste speichern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The photo is not predicted yet. Save it when it is shown.</source>
+            <translation>Das Foto ist noch nicht vorhergesagt. Speichern, sobald es gezeigt wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{design} photo</source>
+            <translation>{design} Foto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save predicted photo</source>
+            <translation>Vorhergesagtes Foto speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The lens has changed. Save the photo of the new one.</source>
+            <translation>Die Linse hat sich geändert. Das Foto der neuen speichern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A picture of the 3D scene is on the clipboard.</source>
+            <translation>Ein Bild der 3D-Szene ist in der Zwischenablage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save picture of 3D</source>
+            <translation>3D-Bild speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it.</source>
+            <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>{name} had unsaved changes when the program was told to end.</source>
+            <translation>{name} hatte ungesicherte Änderungen, als das Programm beendet wurde.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>The program ended unexpectedly. Unsaved changes to {name} were kept.</source>
+            <translation>Das Programm wurde unerwartet beendet. Ungesicherte Änderungen an {name} wurden bewahrt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
+            <translation>Aufbewahrt am {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Unsaved work</source>
+            <translation>Ungespeicherte Arbeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>&amp;Recover</source>
+            <translation>&amp;Wiederherstellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Ask &amp;later</source>
+            <translation>&amp;Später fragen</translation>
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
@@ -2200,408 +2330,98 @@
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
-            <source>Unsaved work cannot be kept for a recovery. {reason}</source>
-            <translation>Ungespeicherte Arbeit kann nicht für eine Wiederherstellung aufbewahrt werden. {reason}</translation>
+            <source>Unsaved work cannot be backed up. {reason}</source>
+            <translation>Ungesicherte Arbeit kann nicht zwischengespeichert werden. {reason}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Web page (*.html)</source>
-            <translation>Webseite (*.html)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Document (*.pdf)</source>
-            <translation>Dokument (*.pdf)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>report</source>
-            <translation>Bericht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>One report is still being written; ask for the next after it.</source>
-            <translation>Ein Bericht wird noch geschrieben; den nächsten danach anfordern.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>{file} is being written, with a check of {lens}…</source>
-            <translation>{file} wird geschrieben, mit einer Prüfung ({lens}) …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Report {lens}</source>
-            <translation>Bericht: {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>No report is written.</source>
-            <translation>Es wird kein Bericht geschrieben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>A picture of the 3D scene is on the clipboard.</source>
-            <translation>Ein Bild der 3D-Szene ist in der Zwischenablage.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>{path} is written, {width} × {height} pixels.</source>
-            <translation>{path} ist geschrieben, {width} × {height} Pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>Save picture of 3D</source>
-            <translation>3D-Bild speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>The 3D scene is hidden; View &gt; 3D scene shows it.</source>
-            <translation>Die 3D-Szene ist verborgen; Ansicht &gt; 3D-Szene zeigt sie.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>New here? A tour of {count} steps shows what is where. Help &gt; Tour begins it at any time.</source>
-            <translation>Neu hier? Ein Rundgang mit {count} Schritten zeigt, was wo ist. Hilfe &gt; Rundgang beginnt ihn jederzeit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>Show me around</source>
-            <translation>Rundgang beginnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>About {title}</source>
-            <translation>Über {title}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Shapes a freeform lens until it throws the wanted image of light.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Formt eine Freiformlinse, bis sie das gewünschte Bild aus Licht wirft.&lt;/p&gt;&lt;p&gt;MIT-Lizenz&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Manual</source>
-            <translation>Handbuch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Search</source>
-            <translation>Suchen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Search the manual</source>
-            <translation>Im Handbuch suchen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Words that a page must hold; Return goes to the next place</source>
-            <translation>Wörter, die eine Seite enthalten muss; die Eingabetaste geht zur nächsten Stelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Pages of the manual</source>
-            <translation>Seiten des Handbuchs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>No page has all of this: {words}</source>
-            <translation>Keine Seite enthält all das: {words}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Describe the task</source>
-            <translation>Die Aufgabe beschreiben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Here you say what you have and what you want: the image of light, the lens, the source, the screen. What is not possible is refused beside the field, with what would be allowed. Any picture dropped onto the window becomes the target.</source>
-            <translation>Hier steht, was vorhanden ist und was gewünscht wird: das Bild aus Licht, die Linse, die Quelle, der Schirm. Was nicht möglich ist, wird neben dem Feld abgelehnt, mit dem, was erlaubt wäre. Jedes auf das Fenster gezogene Bild wird zum Ziel.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop (F7) keeps the best lens so far, Continue goes on from there.</source>
-            <translation>Start (F5) formt die Linse, bis ihr Licht zum Ziel passt. Pause (F6) hält an, Stopp (F7) behält die bisher beste Linse, Fortsetzen macht von dort weiter.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Watch the light</source>
-            <translation>Dem Licht zusehen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer.</source>
-            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Ziehen mit Umschalttaste verschiebt, das Mausrad zoomt; auch Pfeiltasten, + und −. Strg+1 zeigt die Linse, Strg+2 den Schirm, Strg+0 wieder alles; Strg+D zeichnet einen fernen Schirm näher.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>See what reaches the screen</source>
-            <translation>Sehen, was den Schirm erreicht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Flux per area, live. Below it what is still wrong: too much light is red, too little is blue. Both zoom and move together.</source>
-            <translation>Lichtstrom je Fläche, laufend. Daneben, was noch nicht stimmt: zu viel Licht ist rot, zu wenig blau. Beide zoomen und verschieben sich gemeinsam.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Look back</source>
-            <translation>Zurückblicken</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>The curve falls while the lens gets better. The slider below it shows the lens at any kept moment of the run; you can go on from there.</source>
-            <translation>Die Kurve fällt, während die Linse besser wird. Der Schieber darunter zeigt die Linse zu jedem aufbewahrten Zeitpunkt des Laufs; von dort lässt sich fortfahren.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Nothing is lost</source>
-            <translation>Nichts geht verloren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step to go there. Unsaved work is kept every minute, even if the program breaks off.</source>
-            <translation>Jede Änderung und jeder Lauf ist ein Schritt. Mit Strg+Z rückgängig machen oder einen Schritt anklicken. Ungespeicherte Arbeit wird jede Minute gesichert, auch wenn das Programm abbricht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Find anything</source>
-            <translation>Alles finden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Ctrl+Shift+P finds any command by parts of its name. File &gt; New from gallery has examples by their pictures, File &gt; Export takes the lens to other programs. Enjoy!</source>
-            <translation>Strg+Umschalt+P findet jeden Befehl nach Teilen seines Namens. Datei &gt; Neu aus Galerie zeigt Beispiele als Bilder, Datei &gt; Exportieren gibt die Linse an andere Programme. Viel Freude!</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;End</source>
-            <translation>&amp;Beenden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Back</source>
-            <translation>&amp;Zurück</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>End the tour (Esc); Help &gt; Tour begins it again</source>
-            <translation>Den Rundgang beenden (Esc); Hilfe &gt; Rundgang beginnt ihn wieder</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>{number} of {count}</source>
-            <translation>{number} von {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Done</source>
-            <translation>&amp;Fertig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Next</source>
-            <translation>&amp;Weiter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>The job from the side</source>
-            <translation>Die Aufgabe von der Seite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>From the side</source>
-            <translation>Von der Seite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>From above</source>
-            <translation>Von oben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>, {across:.1f} × as high</source>
-            <translation>, {across:.1f}-fach überhöht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>, to scale</source>
-            <translation>, maßstäblich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/form.py" />
-            <source>picture</source>
-            <translation>Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/form.py" />
-            <source>file of light</source>
-            <translation>Lichtdatei</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>outlook</source>
-            <translation>Vorschau</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Picture at best</source>
-            <translation>Bild im besten Fall</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Blurred by the size of the light, as any lens has to</source>
-            <translation>Unscharf durch die Größe der Lichtquelle, wie bei jeder Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Wanted</source>
-            <translation>Gewünscht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>At best</source>
-            <translation>Bestmöglich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Computing what can be expected…</source>
-            <translation>Ermittle, was zu erwarten ist …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>The figures are of the answers before.</source>
-            <translation>Die Werte gehören zu den vorherigen Angaben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Estimating… {part:.0f} %</source>
-            <translation>Schätzung läuft … {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>New design</source>
-            <translation>Neuer Entwurf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Jobs</source>
-            <translation>Aufgaben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>&amp;Begin</source>
-            <translation>&amp;Beginnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>&amp;Open a file…</source>
-            <translation>Datei &amp;öffnen …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>E&amp;xamples…</source>
-            <translation>B&amp;eispiele …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Cannot begin: {reason}</source>
-            <translation>Beginn nicht möglich: {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Picture</source>
-            <translation>Motiv</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/brush.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>a single point</source>
             <translation>ein einzelner Punkt</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/brush.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>radius {radius}</source>
             <translation>Radius {radius}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/live.py" />
-            <source>trace of the lens</source>
-            <translation>Durchrechnung der Linse</translation>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>{place}Paint control points to lock or unlock them; or use arrows and Space. Brush ([ and ]): {words}. {count} locked</source>
+            <translation>{place}Kontrollpunkte übermalen, um sie zu sperren oder zu entsperren; oder Pfeile und Leertaste. Pinsel ([ und ]): {words}. {count} gesperrt</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/live.py" />
-            <source>trace of the mirror</source>
-            <translation>Durchrechnung des Spiegels</translation>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. Brush ([ and ]): {words}</source>
+            <translation>{place}Kontrollpunkte entlang z ziehen, oder Pfeile, Bild auf und Bild ab. Umschalt: fein, Esc: abbrechen. Pinsel ([ und ]): {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/lock.py" />
-            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
-            <translation>{place}Über Kontrollpunkte malen, um sie zu sperren, oder freizugeben, wenn auf einem gesperrten begonnen wird; oder mit Pfeilen und Leertaste. Pinsel, [ und ]: {words}. {count} gesperrt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Collimated light comes from everywhere: choose another source to move it</source>
-            <translation>Kollimiertes Licht kommt von überall: zum Verschieben eine andere Quelle wählen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; Shift: finely; Esc: back. </source>
-            <translation>Die Quelle quer ziehen, Strg: entlang z; oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Corners: its size. </source>
-            <translation>Ecken: ihre Größe. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/sculpt.py" />
-            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
-            <translation>{place}Kontrollpunkte entlang z ziehen, oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. Pinsel, [ und ]: {words}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/sculpt.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>. Moved by {rise:+.4g} {unit}</source>
             <translation>. Verschoben um {rise:+.4g} {unit}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/sculpt.py" />
-            <source>All control points in the brush are locked; unlock some first.</source>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>All control points under the brush are locked. Unlock some first.</source>
             <translation>Alle Kontrollpunkte im Pinsel sind gesperrt; zuerst einige freigeben.</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>Stop the run first; then change the lens by hand.</source>
-            <translation>Zuerst den Lauf stoppen, dann die Linse von Hand ändern.</translation>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
+            <translation>Quelle oder Element ziehen, mit Strg entlang z. Umschalt: fein, Esc: abbrechen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Collimated light has no position</source>
+            <translation>Kollimiertes Licht hat keine Position</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. </source>
+            <translation>Quelle ziehen, mit Strg entlang z; oder Pfeile, Bild auf und Bild ab. Umschalt: fein, Esc: abbrechen. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag corners to resize. </source>
+            <translation>Ecken ziehen ändert die Größe. </translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>Stop the run first; then change the mirror by hand.</source>
-            <translation>Zuerst den Lauf stoppen, dann den Spiegel von Hand ändern.</translation>
+            <source>ray trace of the lens</source>
+            <translation>Durchrechnung der Linse</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is no lens to shape yet.</source>
+            <source>ray trace of the mirror</source>
+            <translation>Durchrechnung des Spiegels</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first, then sculpt the lens.</source>
+            <translation>Zuerst den Lauf anhalten, dann die Linse modellieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first, then sculpt the mirror.</source>
+            <translation>Zuerst den Lauf anhalten, dann den Spiegel modellieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no lens to sculpt yet.</source>
             <translation>Es gibt noch keine Linse zum Modellieren.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is no mirror to shape yet.</source>
+            <source>There is no mirror to sculpt yet.</source>
             <translation>Es gibt noch keinen Spiegel zum Modellieren.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is one freeform face. Design &gt; Freeform entrance face gives a lens a second one.</source>
+            <source>There is only one freeform face. Design &gt; Freeform entrance face adds a second one.</source>
             <translation>Es gibt eine Freiformfläche. Entwurf &gt; Freiform-Eintrittsfläche gibt einer Linse eine zweite.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>Show distances to scale first (View &gt; Shorten gaps); then move the source.</source>
-            <translation>Zuerst Abstände maßstäblich zeigen (Ansicht &gt; Abstände verkürzen), dann die Quelle verschieben.</translation>
+            <source>Switch off View &gt; Compress distances first, then move the source.</source>
+            <translation>Zuerst Ansicht &gt; Abstände stauchen ausschalten, dann die Quelle bewegen.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2625,6 +2445,11 @@
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
+            <source>move the element</source>
+            <translation>Element verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
             <source>move control points</source>
             <translation>Kontrollpunkte verschieben</translation>
         </message>
@@ -2640,28 +2465,28 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
-            <translation>Älteste Schritte ({count}) verworfen: zu viel Speicher zum Rückgängigmachen</translation>
+            <source>The {count} oldest steps can no longer be undone (memory limit)</source>
+            <translation>Die {count} ältesten Schritte lassen sich nicht mehr rückgängig machen (Speichergrenze)</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{design} is still being designed. Stop, and save its best lens?</source>
-            <translation>{design} wird noch entworfen. Stoppen und die beste Linse speichern?</translation>
+            <source>A run of {design} is in progress. Stop it and save the best lens?</source>
+            <translation>Ein Lauf von {design} ist im Gange. Anhalten und die beste Linse speichern?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{design} is still being designed. Stop, and save its best mirror?</source>
-            <translation>{design} wird noch entworfen. Stoppen und den besten Spiegel speichern?</translation>
+            <source>A run of {design} is in progress. Stop it and save the best mirror?</source>
+            <translation>Ein Lauf von {design} ist im Gange. Anhalten und den besten Spiegel speichern?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source> Changes of the task that wait for the end of the run are given up.</source>
-            <translation> Änderungen der Aufgabe, die auf das Ende des Laufs warten, werden aufgegeben.</translation>
+            <source> Changes that wait for the end of the run are discarded.</source>
+            <translation> Änderungen, die auf das Ende des Laufs warten, werden verworfen.</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{file} takes the place of {design}, which is being designed.</source>
-            <translation>{file} tritt an die Stelle von {design}, das gerade entworfen wird.</translation>
+            <source>A run of {design} is in progress. Stop it to open {file}.</source>
+            <translation>Ein Lauf von {design} ist im Gange. Zum Öffnen von {file} anhalten.</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
@@ -2675,123 +2500,118 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Saved with the task that the run works on.</source>
-            <translation>Gespeichert mit der Aufgabe, an der der Lauf arbeitet.</translation>
+            <source>Saved with the task of the run.</source>
+            <translation>Mit der Aufgabe des Laufs gespeichert.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Tool radius</source>
             <translation>Werkzeugradius</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>a radius that fits</source>
-            <translation>ein passender Radius</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius of the ball cutter. Empty: the radius of the design task, or the largest that fits everywhere.</source>
+            <translation>Radius des Kugelfräsers. Leer: der Radius der Aufgabe oder der größte, der überall passt.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
-            <translation>Radius der Kugel. Leer: der der Aufgabe oder einer, der überall passt.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Scallop height</source>
+            <translation>Rillenhöhe</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Ridges</source>
-            <translation>Rillen</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Größte Höhe des Materials zwischen benachbarten Bahnen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wenn das zu viele Bewegungen braucht.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
-            <translation>Wie hoch Grate zwischen benachbarten Bahnen sein dürfen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wo das mehr Bewegungen bräuchte, als ein Programm haben kann.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Clamping rim</source>
             <translation>Spannrand</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Width of stock around the lens, to hold it by.</source>
-            <translation>Breite des Rohteils um die Linse herum, um es zu spannen.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Width of stock around the lens for clamping.</source>
+            <translation>Breite des Rohteils um die Linse zum Spannen.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Travel height</source>
             <translation>Verfahrhöhe</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>the ball's diameter</source>
             <translation>der Kugeldurchmesser</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How far over its highest cut the cutter travels.</source>
-            <translation>Wie weit über seinem höchsten Schnitt der Fräser verfährt.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Height of rapid moves above the highest cut.</source>
+            <translation>Höhe der Eilgänge über dem höchsten Schnitt.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>fine</source>
-            <translation>fein</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>automatic</source>
+            <translation>automatisch</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Feed</source>
             <translation>Vorschub</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How fast the cutter moves while it cuts.</source>
-            <translation>Wie schnell sich der Fräser beim Schneiden bewegt.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed rate while cutting.</source>
+            <translation>Vorschub beim Schneiden.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Plunge feed</source>
             <translation>Eintauchvorschub</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How fast the cutter goes down into the stock.</source>
-            <translation>Wie schnell der Fräser in das Rohteil eintaucht.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed rate while plunging into the stock.</source>
+            <translation>Vorschub beim Eintauchen ins Rohteil.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Spindle speed</source>
             <translation>Spindeldrehzahl</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Revolutions a minute, clockwise.</source>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Revolutions per minute, clockwise.</source>
             <translation>Umdrehungen je Minute, im Uhrzeigersinn.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Dwell</source>
             <translation>Verweilzeit</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How long the cutter waits above the stock until the spindle is at its speed.</source>
-            <translation>Wie lange der Fräser über dem Rohteil wartet, bis die Spindel ihre Drehzahl hat.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Wait above the stock until the spindle has reached its speed.</source>
+            <translation>Wartezeit über dem Rohteil, bis die Spindel ihre Drehzahl hat.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>From {least} to {most} {unit}.</source>
             <translation>Von {least} bis {most} {unit}.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Cut a mould of the face</source>
             <translation>Eine Form der Fläche fräsen</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>The negative: hollows become humps, turned over about the y axis.</source>
-            <translation>Das Negativ: Mulden werden Erhebungen, um die y-Achse gewendet.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Das Negativ der Fläche schneiden, um die y-Achse gewendet.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that leaves too much material standing, or cuts too deep, is refused.</source>
-            <translation>Schlichtbahnen eines Kugelfräsers als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird vor dem Schreiben simuliert: ein Fräser, der zu viel Material stehen lässt oder zu tief schneidet, wird abgelehnt.</translation>
+            <source>Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
+            <translation>Schreibt das Schlichten mit einem Kugelfräser als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird zuerst simuliert; ein Fräser, der zu viel Material stehen lässt oder zu tief schneidet, wird abgelehnt.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2800,18 +2620,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>What the cut leaves</source>
-            <translation>Was der Schnitt übrig lässt</translation>
+            <source>Result of the simulation</source>
+            <translation>Ergebnis der Simulation</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop</source>
-            <translation>Stopp</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop the simulation; a change of a field begins it anew</source>
-            <translation>Die Simulation anhalten; eine Änderung eines Feldes beginnt sie neu</translation>
+            <source>Stop the simulation; a change of a field restarts it</source>
+            <translation>Simulation anhalten; die Änderung eines Feldes startet sie neu</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2825,8 +2640,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Trace light through what the cut leaves, beside the lens as designed</source>
-            <translation>Licht durch das rechnen, was der Schnitt übrig lässt, neben der Linse wie entworfen</translation>
+            <source>Compare the image of the lens as made with the lens as designed</source>
+            <translation>Bild der gefertigten Linse mit dem der entworfenen vergleichen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2845,8 +2660,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stopped: the cut is not simulated.</source>
-            <translation>Angehalten: der Schnitt ist nicht simuliert.</translation>
+            <source>Stopped before the end of the simulation.</source>
+            <translation>Vor dem Ende der Simulation angehalten.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2860,8 +2675,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, as ridges or where the ball does not fit.</source>
-            <translation>Radius {radius}, {size:,} Bewegungen. {deep}; bis zu {left} Material bleibt stehen, als Rillen oder wo die Kugel nicht hineinpasst.</translation>
+            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material remains.</source>
+            <translation>Radius {radius}, {size:,} Bewegungen. {deep}; bis zu {left} Material bleibt stehen.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2875,73 +2690,28 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Polishing takes ridges away.</source>
-            <translation>Polieren entfernt Rillen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Thickness along z</source>
-            <translation>Dicke entlang z</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Angle between the face and a plane across the axis</source>
-            <translation>Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>One over the radius of concave places; zero elsewhere</source>
-            <translation>Kehrwert des Radius konkaver Stellen; sonst null</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>One over the radius of convex places; zero elsewhere</source>
-            <translation>Kehrwert des Radius konvexer Stellen; sonst null</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Computed when no run changes it…</source>
-            <translation>Wird berechnet, wenn kein Lauf sie ändert …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>What the map shows</source>
-            <translation>Was die Karte zeigt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>; what is beyond a limit is hatched</source>
-            <translation>; was über einer Grenze liegt, ist schraffiert</translation>
+            <source>Polishing removes scallops.</source>
+            <translation>Polieren entfernt die Rillen.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>✓ met</source>
-            <translation>✓ erfüllt</translation>
+            <source>Thinnest</source>
+            <translation>Dünnste Stelle</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>No place is beyond the limit.</source>
-            <translation>Keine Stelle liegt über der Grenze.</translation>
+            <source>Least thickness of the element</source>
+            <translation>Kleinste Dicke des Elements</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>? open</source>
-            <translation>? offen</translation>
+            <source>Thickest</source>
+            <translation>Dickste Stelle</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>No place that was looked at is beyond the limit, but that no other place is, is not proved: {bound} is all that the face surely keeps to.</source>
-            <translation>Keine betrachtete Stelle liegt über der Grenze; dass es keine andere tut, ist nicht bewiesen: {bound} ist alles, was die Fläche sicher einhält.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>✗ broken</source>
-            <translation>✗ verletzt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Some places are beyond the limit; the map shows where.</source>
-            <translation>Einige Stellen liegen über der Grenze; die Karte zeigt, wo.</translation>
+            <source>Largest thickness of the element</source>
+            <translation>Größte Dicke des Elements</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2950,8 +2720,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest angle between the face and a plane across the axis</source>
-            <translation>Größter Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Größter Winkel zwischen einer Freiformfläche und einer Ebene quer zur Achse, in Grad</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2960,8 +2730,73 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Smallest radius of curvature of concave places</source>
-            <translation>Kleinster Krümmungsradius konkaver Stellen</translation>
+            <source>Least radius of curvature that a tool can cut, concave or convex</source>
+            <translation>Kleinster Krümmungsradius, den ein Werkzeug schneiden kann, konkav oder konvex</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest ball cutter</source>
+            <translation>Größter Kugelfräser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Radius des Kugelfräsers, der überall auf der Fläche passen muss. Eine größere Kugel lässt Material in Mulden stehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Empty: the limit of the design task. Stored for the next start.</source>
+            <translation>Leer: die Grenze der Aufgabe. Wird für den nächsten Start gespeichert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit: {label}</source>
+            <translation>Grenze: {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>{value:g} is not possible; enter a number above 0 or leave it empty</source>
+            <translation>{value:g} ist nicht möglich; eine Zahl über 0 eingeben oder leer lassen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✓ met</source>
+            <translation>✓ erfüllt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is kept everywhere.</source>
+            <translation>Die Grenze ist überall eingehalten.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>? not checked yet</source>
+            <translation>? noch nicht geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is kept at all sampled points. Proved for the whole face: {bound}.</source>
+            <translation>Die Grenze ist an allen Abtastpunkten eingehalten. Für die ganze Fläche bewiesen: {bound}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✗ exceeded</source>
+            <translation>✗ verletzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is exceeded; the map shows where.</source>
+            <translation>Die Grenze ist verletzt; die Karte zeigt wo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest angle between the face and a plane across the axis</source>
+            <translation>Größter Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Least concave radius of curvature</source>
+            <translation>Kleinster konkaver Krümmungsradius</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2970,18 +2805,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Smallest radius of curvature of convex places</source>
-            <translation>Kleinster Krümmungsradius konvexer Stellen</translation>
+            <source>Least convex radius of curvature</source>
+            <translation>Kleinster konvexer Krümmungsradius</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest ball that fits</source>
-            <translation>Größte passende Kugel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest radius of a ball cutter that reaches every place of the face. A larger one leaves material standing in hollows</source>
-            <translation>Größter Radius eines Kugelfräsers, der jede Stelle der Fläche erreicht. Ein größerer lässt in Mulden Material stehen</translation>
+            <source>Radius of the largest ball cutter that fits everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Radius des größten Kugelfräsers, der überall auf der Fläche passt. Eine größere Kugel lässt Material in Mulden stehen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2990,7 +2820,7 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Height of the highest point of the face over the lowest</source>
+            <source>Height of the highest point of the face above the lowest</source>
             <translation>Höhe des höchsten Punkts der Fläche über dem tiefsten</translation>
         </message>
         <message>
@@ -3020,8 +2850,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Say how the face is cut, see what the cut leaves, and write G-code</source>
-            <translation>Festlegen, wie die Fläche gefräst wird, sehen, was der Schnitt übrig lässt, und G-Code schreiben</translation>
+            <source>Simulate the cut of the face and write G-code</source>
+            <translation>Schnitt der Fläche simulieren und G-Code schreiben</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -3040,371 +2870,216 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>none</source>
-            <translation>ohne</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>The face has none.</source>
             <translation>Die Fläche hat keine.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>At x = {x}, y = {y}. Nowhere beyond {bound}.</source>
-            <translation>Bei x = {x}, y = {y}. Nirgends jenseits von {bound}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Thinnest</source>
-            <translation>Dünnste Stelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>The part has to be as thick as this everywhere</source>
-            <translation>So dick muss das Teil überall sein</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Thickest</source>
-            <translation>Dickste Stelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>The part must not be thicker than this anywhere</source>
-            <translation>Dicker darf das Teil nirgends sein</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
-            <translation>Größter Winkel zwischen einer Freiformfläche und einer Ebene quer zur Achse, in Grad</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Smallest radius that a tool can cut, of concave and convex places</source>
-            <translation>Kleinster Radius, den ein Werkzeug fräsen kann, an konkaven und konvexen Stellen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Radius of the ball cutter that has to reach every place of the face. One that is too large for a hollow leaves material standing there</source>
-            <translation>Radius des Kugelfräsers, der jede Stelle der Fläche erreichen muss. Einer, der für eine Mulde zu groß ist, lässt dort Material stehen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Empty: what the design task keeps to, if anything. Kept for the next start.</source>
-            <translation>Leer: was die Aufgabe einhält, falls etwas. Für den nächsten Start aufbewahrt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Limit: {label}</source>
-            <translation>Grenze: {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>{value:g}; a number above 0, or nothing</source>
-            <translation>{value:g}; eine Zahl über 0 oder nichts</translation>
+            <source>At x = {x}, y = {y}. Proved bound: {bound}.</source>
+            <translation>Bei x = {x}, y = {y}. Bewiesene Schranke: {bound}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>look at the face</source>
-            <translation>Untersuchung der Fläche</translation>
+            <source>Thickness along z</source>
+            <translation>Dicke entlang z</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Out of date: of the lens before; computed anew when it rests.</source>
-            <translation>Veraltet: von der vorigen Linse; wird neu berechnet, sobald sie ruht.</translation>
+            <source>Angle between the face and a plane across the axis</source>
+            <translation>Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens does not fit the new outline: Start designs another one, Undo brings it back.</source>
-            <translation>Die Linse passt nicht zum neuen Umriss: Start entwirft eine andere, Rückgängig bringt sie zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Largest concave curvature; zero where there is none</source>
+            <translation>Größte konkave Krümmung; null, wo es keine gibt</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror does not fit the new outline: Start designs another one, Undo brings it back.</source>
-            <translation>Der Spiegel passt nicht zum neuen Umriss: Start entwirft einen anderen, Rückgängig bringt ihn zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Largest convex curvature; zero where there is none</source>
+            <translation>Größte konvexe Krümmung; null, wo es keine gibt</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo takes the change back.</source>
-            <translation>Die Eintrittsfläche ist jetzt eine Freiformfläche und vorerst eben. Fortsetzen formt beide Flächen, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Wird berechnet, sobald der Entwurf ruht …</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The entrance face is flat now; the exit face stays as it was, but it was made for the light of both. Continue shapes it alone, and Undo takes the change back.</source>
-            <translation>Die Eintrittsfläche ist jetzt eben; die Austrittsfläche blieb, wie sie war, wurde aber für das Licht beider gemacht. Fortsetzen formt sie allein, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>What the map shows</source>
+            <translation>Was die Karte zeigt</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
-            <translation>Die Linse wird um bis zu {moved} geändert, um in ihren neuen Grenzen zu bleiben. Fortsetzen macht von dort weiter, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>; hatched where a limit is exceeded</source>
+            <translation>; schraffiert, wo eine Grenze verletzt ist</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
-            <translation>Der Spiegel wird um bis zu {moved} geändert, um in seinen neuen Grenzen zu bleiben. Fortsetzen macht von dort weiter, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>analysis of the face</source>
+            <translation>Analyse der Fläche</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The program takes {size} control points now. Continue goes on from the lens that was there, carried over, and Undo takes the change back.</source>
-            <translation>Das Programm nimmt jetzt {size} Kontrollpunkte. Fortsetzen macht von der bisherigen Linse weiter, die übertragen ist, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Outdated; recomputed when the design rests.</source>
+            <translation>Veraltet; wird neu berechnet, wenn der Entwurf ruht.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The program takes {size} control points now. Continue goes on from the mirror that was there, carried over, and Undo takes the change back.</source>
-            <translation>Das Programm nimmt jetzt {size} Kontrollpunkte. Fortsetzen macht von dem bisherigen Spiegel weiter, der übertragen ist, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Save…</source>
+            <translation>Speichern …</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
-            <translation>Die Linse wurde für eine andere Aufgabe entworfen und ist ein Anfang für diese: Fortsetzen macht von ihr weiter, Neu starten nicht</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Das Diagramm (PNG, SVG) oder die Zahlen jeder Linse (CSV, JSON) speichern</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
-            <translation>Der Spiegel wurde für eine andere Aufgabe entworfen und ist ein Anfang für diese: Fortsetzen macht von ihm weiter, Neu starten nicht</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a whole number from 1 to {most} is needed</source>
+            <translation>eine ganze Zahl von 1 bis {most} ist nötig</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is the same.</source>
-            <translation>Auf {size} Kontrollpunkten unverändert: {name}.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a whole number from 0 is needed</source>
+            <translation>eine ganze Zahl ab 0 ist nötig</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>Take {size}, exact</source>
-            <translation>{size} nehmen, exakt</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a finite number from 0 is needed</source>
+            <translation>eine endliche Zahl ab 0 ist nötig</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is off by up to {off}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>over</source>
+            <translation>über</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>change of {name}</source>
-            <translation>{name} ändern</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Lenses</source>
+            <translation>Linsen</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>control points</source>
-            <translation>Kontrollpunkte</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Number of traced lenses; more lenses give better percentiles</source>
+            <translation>Zahl der gerechneten Linsen; mehr Linsen geben bessere Perzentile</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the lens</source>
-            <translation>die Linse</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Startwert</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the mirror</source>
-            <translation>der Spiegel</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the entrance face</source>
-            <translation>die Eintrittsfläche</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Start traces randomly perturbed lenses and shows the distribution of the error.</source>
+            <translation>Start rechnet zufällig gestörte Linsen und zeigt die Verteilung des Fehlers.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/coarse_net.py" />
-            <source>Refine and start over</source>
-            <translation>Verfeinern und neu starten</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>All tolerances are zero. Enter a tilt, a decentre or another tolerance.</source>
+            <translation>Alle Toleranzen sind null. Eine Verkippung, Dezentrierung oder andere Toleranz eingeben.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/coarse_net.py" />
-            <source>automatic control points</source>
-            <translation>automatische Kontrollpunkte</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>tolerance analysis</source>
+            <translation>Toleranzanalyse</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/postponed_edits.py" />
-            <source>Stop and apply</source>
-            <translation>Stoppen und anwenden</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Stop; the traced lenses are kept</source>
+            <translation>Anhalten; die gerechneten Linsen bleiben</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/postponed_edits.py" />
-            <source>Take back</source>
-            <translation>Zurücknehmen</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Perturb the lens at random and trace each sample independently</source>
+            <translation>Linse zufällig stören und jede Probe unabhängig rechnen</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/refused_fields.py" />
-            <source> ({count} more refused)</source>
-            <translation> ({count} weitere abgelehnt)</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>{count} of {wanted} lenses</source>
+            <translation>{count} von {wanted} Linsen</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/refused_fields.py" />
-            <source>{first}{others}. Correct it, or press Esc, first.</source>
-            <translation>{first}{others}. Zuerst berichtigen oder Esc drücken.</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
+            <translation>{done}: Fehler wie entworfen {nominal:.2f} %, Median {median:.2f} %, 95 % der Linsen unter {most:.2f} %, schlechteste {worst:.2f} %</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The run goes on within these limits.</source>
-            <translation>Der Lauf geht innerhalb dieser Grenzen weiter.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Stop and widen</source>
-            <translation>Stoppen und erweitern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Widen</source>
-            <translation>Erweitern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Continue</source>
-            <translation>Fortsetzen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>automatic height range</source>
-            <translation>automatischer Höhenbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>wider height range</source>
-            <translation>breiterer Höhenbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>wider entrance range</source>
-            <translation>weiterer Eintrittsbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The height range follows from the task now</source>
-            <translation>Der Höhenbereich folgt jetzt aus der Aufgabe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>Der Höhenbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>Der Eintrittsbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>{said}, and the lens is as it was. Start over mostly finds a better one than Continue does.</source>
-            <translation>{said}; die Linse ist, wie sie war. Neu starten findet meist eine bessere als Fortsetzen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>{said}, and the mirror is as it was. Start over mostly finds a better one than Continue does.</source>
-            <translation>{said}; der Spiegel ist, wie er war. Neu starten findet meist einen besseren als Fortsetzen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Start over</source>
-            <translation>Neu starten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/target_image.py" />
-            <source>{image} has changed. The design keeps the picture that it has.</source>
-            <translation>{image} hat sich geändert. Der Entwurf behält das Bild, das er hat.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/target_image.py" />
-            <source>Read it again</source>
-            <translation>Neu lesen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/total_reflection.py" />
-            <source>{where}, as marked in the 3D scene: {cure}.</source>
-            <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/total_reflection.py" />
-            <source>search for total reflection</source>
-            <translation>Suche nach Totalreflexion</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>All lengths are converted: 1 {old} is {ratio:.6g} {new} now.</source>
-            <translation>Alle Längen wurden umgerechnet: 1 {old} ist jetzt {ratio:.6g} {new}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>Keep the numbers</source>
-            <translation>Zahlen beibehalten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>change of unit alone</source>
-            <translation>nur die Einheit ändern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>Auto</source>
-            <translation>Auto</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>{label}, automatic</source>
-            <translation>{label}, automatisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>auto</source>
-            <translation>auto</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Outdated: the lens has changed.</source>
+            <translation>Veraltet: die Linse hat sich geändert.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/edits.py" />
-            <source>this task has no such field any more</source>
-            <translation>diese Aufgabe hat kein solches Feld mehr</translation>
+            <source>the task no longer has this field</source>
+            <translation>die Aufgabe hat dieses Feld nicht mehr</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>element</source>
             <translation>Element</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Elements</source>
             <translation>Elemente</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add a plano-convex lens of fixed shape behind the last element</source>
             <translation>Eine plankonvexe Linse fester Form hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add a plane mirror behind the last element</source>
             <translation>Einen ebenen Spiegel hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Add a copy of the chosen element behind the last element</source>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a diffuser behind the last element</source>
+            <translation>Einen Diffusor hinter dem letzten Element anfügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a copy of the selected element behind the last element</source>
             <translation>Eine Kopie des gewählten Elements hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Remove the chosen element</source>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Remove the selected element</source>
             <translation>Das gewählte Element entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Exchange the chosen element with the one before it, along z too</source>
-            <translation>Das gewählte Element mit dem davor tauschen, auch entlang z</translation>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Swap the selected element with the previous one, positions included</source>
+            <translation>Gewähltes Element mit dem vorigen tauschen, samt Positionen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Exchange the chosen element with the one behind it, along z too</source>
-            <translation>Das gewählte Element mit dem dahinter tauschen, auch entlang z</translation>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Swap the selected element with the next one, positions included</source>
+            <translation>Gewähltes Element mit dem nächsten tauschen, samt Positionen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add lens</source>
             <translation>Linse hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add mirror</source>
             <translation>Spiegel hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add diffuser</source>
+            <translation>Diffusor hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
             <source>designed</source>
             <translation>entworfen</translation>
         </message>
@@ -3440,13 +3115,33 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
-            <translation>Wie weit ein Kontrollpunkt nach unten und oben von der Grundform abweichen darf. Ein weiterer Bereich lenkt Licht weiter ab.</translation>
+            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
+            <translation>Schranken der Kontrollhöhen relativ zur Grundform, nach unten und oben. Weitere Schranken erlauben größere Ablenkung.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>change of {name}</source>
+            <translation>{name} ändern</translation>
         </message>
         <message>
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>{label}, automatic</source>
+            <translation>{label}, automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>auto</source>
+            <translation>auto</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3465,23 +3160,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The target is no picture: only a picture has an aspect.</source>
-            <translation>Das Ziel ist kein Bild: nur ein Bild hat ein Seitenverhältnis.</translation>
+            <source>The target is not a picture and has no aspect.</source>
+            <translation>Das Ziel ist kein Bild und hat kein Seitenverhältnis.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The picture has no aspect: {refused}</source>
-            <translation>Das Bild hat kein Seitenverhältnis: {refused}</translation>
+            <source>The picture cannot be read: {refused}</source>
+            <translation>Das Bild kann nicht gelesen werden: {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>screen of the picture's aspect</source>
-            <translation>Schirm im Seitenverhältnis des Bildes</translation>
+            <source>aspect of the picture for the screen</source>
+            <translation>Seitenverhältnis des Bildes für den Schirm</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>far field of the picture's aspect</source>
-            <translation>Fernfeld im Seitenverhältnis des Bildes</translation>
+            <source>aspect of the picture for the far field</source>
+            <translation>Seitenverhältnis des Bildes für das Fernfeld</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3505,56 +3200,86 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Stop the run first; then read the image again.</source>
-            <translation>Zuerst den Lauf stoppen, dann das Bild neu lesen.</translation>
+            <source>Stop the run first, then reload the image.</source>
+            <translation>Zuerst den Lauf anhalten, dann das Bild neu laden.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Waits for the end of the run: {edits}.</source>
+            <source>Waiting for the end of the run: {edits}.</source>
             <translation>Wartet auf das Ende des Laufs: {edits}.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
+            <source>Images ({endings});;All files (*)</source>
+            <translation>Bilder ({endings});;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>An image file can also be dropped onto the window.</source>
+            <translation>Eine Bilddatei lässt sich auch auf das Fenster ziehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>change of target image</source>
+            <translation>Zielbild ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>The design keeps images of up to {largest} MB.</source>
+            <translation>Der Entwurf bewahrt Bilder bis {largest} MB auf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Choose an image file</source>
+            <translation>Eine Bilddatei wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Target irradiance as its viewer sees it</source>
+            <translation>Ziel-Bestrahlungsstärke, wie der Betrachter sie sieht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>image</source>
             <translation>Bild</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>Images</source>
             <translation>Bilder</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ein weiter entferntes Bild mit dem Ziel des letzten hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Add a copy of the chosen image behind it</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a copy of the selected image</source>
             <translation>Eine Kopie des gewählten Bildes dahinter hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Remove the chosen image</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Remove the selected image</source>
             <translation>Das gewählte Bild entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Move the chosen image up</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected image up</source>
             <translation>Das gewählte Bild nach oben</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Move the chosen image down</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected image down</source>
             <translation>Das gewählte Bild nach unten</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>The panels Target and Receiver have the settings of image 1.</source>
-            <translation>Die Bereiche Ziel und Empfänger haben die Einstellungen von Bild 1.</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>The panels Target and Receiver belong to image 1.</source>
+            <translation>Die Bereiche Ziel und Empfänger gehören zu Bild 1.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>{place}, {target}, weight {weight:g}</source>
             <translation>{place}, {target}, Gewicht {weight:g}</translation>
         </message>
@@ -3564,9 +3289,49 @@
             <translation>Bild {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>change of target image</source>
-            <translation>Zielbild ändern</translation>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Duplicate</source>
+            <translation>Duplizieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Up</source>
+            <translation>Auf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Down</source>
+            <translation>Ab</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>new {part}</source>
+            <translation>Neu: {part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>copy of {part} {number}</source>
+            <translation>Kopie von {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>removal of {part} {number}</source>
+            <translation>{part} {number} entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>move of {part} {number}</source>
+            <translation>{part} {number} verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3574,99 +3339,49 @@
             <translation>{panel}, {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Duplicate</source>
-            <translation>Duplizieren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Remove</source>
-            <translation>Entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Up</source>
-            <translation>Auf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Down</source>
-            <translation>Ab</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>new {part}</source>
-            <translation>Neu: {part}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>copy of {part} {number}</source>
-            <translation>Kopie von {part} {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>removal of {part} {number}</source>
-            <translation>{part} {number} entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>move of {part} {number}</source>
-            <translation>{part} {number} verschieben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>region</source>
             <translation>Ausschnitt</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Regions</source>
-            <translation>Ausschnitte</translation>
+            <translation>Bereiche</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Add a region in the middle</source>
             <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Add a copy of the chosen region behind it</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Add a copy of the selected region</source>
             <translation>Eine Kopie des gewählten Ausschnitts dahinter hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Remove the chosen region</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Remove the selected region</source>
             <translation>Den gewählten Ausschnitt entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Move the chosen region up</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Move the selected region up</source>
             <translation>Den gewählten Ausschnitt nach oben</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Move the chosen region down</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Move the selected region down</source>
             <translation>Den gewählten Ausschnitt nach unten</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>None.</source>
             <translation>Keine.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Region {count}</source>
             <translation>Ausschnitt {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Watched</source>
-            <translation>Beobachtet</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
@@ -3690,8 +3405,93 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
-            <translation>Wie viele Zahlen optimiert werden, und der Speicher, den sie mit ihrem Gradienten und den beiden Momenten des Optimierers brauchen. Ein Netzwerk, das nicht passt, wird beim Start abgelehnt.</translation>
+            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
+            <translation>Zahl der optimierten Parameter und ihr Speicher mit Gradient und Zustand des Optimierers. Ein Netz, das nicht in den Speicher passt, wird beim Start abgelehnt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages</source>
+            <translation>Stufen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
+            <translation>Stufen, die ein Lauf vor der Szene selbst durchläuft; jede setzt von der Linse der vorigen fort. Beispiel: eine Punktquelle vor einer ausgedehnten oder ein grobes Netz vor einem feinen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>stage</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages of the run</source>
+            <translation>Stufen des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Eine Stufe hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Add a copy of the selected stage</source>
+            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Remove the selected stage</source>
+            <translation>Die gewählte Stufe entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Run the selected stage earlier</source>
+            <translation>Die gewählte Stufe früher ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Run the selected stage later</source>
+            <translation>Die gewählte Stufe später ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Danach die Szene selbst: {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>Netz aus {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{kind} filter</source>
+            <translation>Filter: {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>1 iteration</source>
+            <translation>1 Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{count} iterations</source>
+            <translation>{count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>As the scene</source>
+            <translation>Wie die Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stage {number}</source>
+            <translation>Stufe {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3704,154 +3504,339 @@
             <translation>Einheit ändern</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>Files of light ({endings});;All files (*)</source>
             <translation>Lichtdateien ({endings});;Alle Dateien (*)</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>change of file of light</source>
             <translation>Lichtdatei ändern</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>The design keeps files of up to {largest} MB.</source>
             <translation>Der Entwurf bewahrt Dateien bis {largest} MB auf.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>Choose a file of light</source>
             <translation>Eine Lichtdatei wählen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>In turn</source>
-            <translation>Nacheinander</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>The image is still being computed. Try again in a moment.</source>
+            <translation>Das Bild wird noch berechnet. Gleich noch einmal versuchen.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>A run goes through these stages before the scene itself, each going on from the lens of the one before: from a point source to an extended one, say, or from a coarse net to a fine one.</source>
-            <translation>Ein Lauf durchläuft diese Stufen vor der Szene selbst, jede ausgehend von der Linse der vorigen: etwa von einer Punktquelle zu einer ausgedehnten oder von einem groben Netz zu einem feinen.</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>checking…</source>
+            <translation>Prüfung läuft …</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>stage</source>
-            <translation>Stufe</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>Prüfung läuft … {part:.0f} %</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Stages of the run</source>
-            <translation>Stufen des Laufs</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Check failed</source>
+            <translation>Prüfung fehlgeschlagen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Add a stage behind the others</source>
-            <translation>Eine Stufe hinter den anderen hinzufügen</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Verified error {verified}</source>
+            <translation>Geprüfter Fehler {verified}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Add a copy of the chosen stage behind it</source>
-            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Prüfung mit {rays:,} Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit Strahlrauschen {relative_l2:.2f} ± {noise:.2f} %, Verlust {loss}; {efficiency:.1f} % {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Remove the chosen stage</source>
-            <translation>Die gewählte Stufe entfernen</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>check</source>
+            <translation>Prüfung</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Run the chosen stage sooner</source>
-            <translation>Die gewählte Stufe früher ausführen</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>F8 checks the design with an independent ray trace.</source>
+            <translation>F8 prüft den Entwurf mit unabhängigem Raytracing.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Run the chosen stage later</source>
-            <translation>Die gewählte Stufe später ausführen</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>check failed</source>
+            <translation>Prüfung fehlgeschlagen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Then the scene as it stands, {iterations}.</source>
-            <translation>Danach die Szene, wie sie ist, {iterations}.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Two independent methods, beam meshes and random rays, differ by more than their error bounds: one of them is wrong.</source>
+            <translation>Zwei unabhängige Verfahren, Bündelnetze und Zufallsstrahlen, unterscheiden sich um mehr als ihre Fehlerschranken: eines ist falsch.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>None: the scene is run as it stands.</source>
-            <translation>Keine: die Szene läuft, wie sie ist.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>no deterministic figure</source>
+            <translation>kein deterministischer Wert</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>net of {n_u} × {n_v}</source>
-            <translation>Netz aus {n_u} × {n_v}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The error is from random rays alone; the intervals below include their noise.</source>
+            <translation>Der Fehler stammt nur aus Zufallsstrahlen; die Intervalle unten enthalten ihr Rauschen.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>{kind} filter</source>
-            <translation>Filter: {kind}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>optimiser and check</source>
+            <translation>Optimierer und Prüfung</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>1 iteration</source>
-            <translation>1 Iteration</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Image or efficiency of the optimiser differ from the check by more than the error bounds; the optimiser traces fewer rays.</source>
+            <translation>Bild oder Wirkungsgrad des Optimierers weichen um mehr als die Fehlerschranken von der Prüfung ab; der Optimierer rechnet weniger Strahlen.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>{count} iterations</source>
-            <translation>{count} Iterationen</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>verified error</source>
+            <translation>geprüfter Fehler</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>As the scene</source>
-            <translation>Wie die Szene</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 error between image and target, by a deterministic beam mesh: free of ray noise.</source>
+            <translation>Relativer L2-Fehler zwischen Bild und Ziel, mit deterministischem Bündelnetz: frei von Strahlrauschen.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>Stages</source>
-            <translation>Stufen</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>error interval</source>
+            <translation>Fehlerintervall</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>Stage {number}</source>
-            <translation>Stufe {number}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Interval of that error, bounded from two mesh sizes.</source>
+            <translation>Intervall dieses Fehlers, aus zwei Netzweiten abgeschätzt.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>Images ({endings});;All files (*)</source>
-            <translation>Bilder ({endings});;Alle Dateien (*)</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>beam mesh</source>
+            <translation>Bündelnetz</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>An image file can also be dropped onto the window.</source>
-            <translation>Eine Bilddatei lässt sich auch auf das Fenster ziehen.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Number of beams through the entrance face.</source>
+            <translation>Zahl der Bündel durch die Eintrittsfläche.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>The design keeps images of up to {largest} MB.</source>
-            <translation>Der Entwurf bewahrt Bilder bis {largest} MB auf.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>error by image pairs</source>
+            <translation>Fehler aus Bildpaaren</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>Choose an image file</source>
-            <translation>Eine Bilddatei wählen</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The deterministic check would be too slow here; pairs of random images are used. The interval has 95 % confidence.</source>
+            <translation>Die deterministische Prüfung wäre hier zu langsam; Paare zufälliger Bilder werden verwendet. Das Intervall hat 95 % Konfidenz.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>The light that is wanted on the screen, as its viewer sees it</source>
-            <translation>Das gewünschte Licht auf dem Schirm, wie es sein Betrachter sieht</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>difference of random rays</source>
+            <translation>Abweichung der Zufallsstrahlen</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>bound</source>
-            <translation>Schranke</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 difference between the images of both methods. About one noise level is expected.</source>
+            <translation>Relative L2-Differenz zwischen den Bildern beider Verfahren. Etwa ein Rauschpegel ist zu erwarten.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>at best {error}</source>
-            <translation>bestenfalls {error}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>relative L2 error</source>
+            <translation>relativer L2-Fehler</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>There can be {bound}; {error} with a source half as wide. This is the least relative L2 error, certified; freeform bound tells more.</source>
-            <translation>Möglich: {bound}; {error} mit einer halb so breiten Quelle. Das ist der kleinste relative L2-Fehler, nachgewiesen; „freeform bound“ sagt mehr.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more rays reduce it.</source>
+            <translation>‖I − T‖ / ‖T‖ von Bild und Ziel, jeweils durch ihre Summe geteilt. Enthält Strahlrauschen; mehr Strahlen verringern es.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % interval with noise</source>
+            <translation>95-%-Intervall mit Rauschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % interval of the error with noise, for other rays of the same number.</source>
+            <translation>95-%-Intervall des Fehlers mit Rauschen, für andere Strahlen gleicher Zahl.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>without ray noise</source>
+            <translation>ohne Strahlrauschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The same error without ray noise. With &lt; where these rays cannot distinguish it from zero.</source>
+            <translation>Derselbe Fehler ohne Strahlrauschen. Mit &lt;, wenn diese Strahlen ihn nicht von null unterscheiden.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % confidence</source>
+            <translation>95 % Konfidenz</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % confidence interval of that error.</source>
+            <translation>95-%-Konfidenzintervall dieses Fehlers.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>loss of the paper</source>
+            <translation>Zielfunktion der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
+            <translation>Die Norm der Differenz von Bild und Ziel, jeweils durch ihre Summe geteilt, durch die Wurzel der Pixelzahl.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>PSNR</source>
+            <translation>PSNR</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
+            <translation>Spitzen-Signal-Rausch-Verhältnis, bezogen auf die Spitze des Ziels: mehr ist besser.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>SSIM</source>
+            <translation>SSIM</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
+            <translation>Mittlere strukturelle Ähnlichkeit in Fenstern von 11 × 11 Pixeln: 1 bei gleichen Bildern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Pearson's coefficient of image and target over the pixels; 1 for proportional images.</source>
+            <translation>Pearson-Koeffizient von Bild und Ziel über die Pixel; 1 für proportionale Bilder.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Least over mean of irradiance / target where the target is at least half its peak; 1 is uniform, 0 has a dark pixel.</source>
+            <translation>Minimum über Mittel von Bestrahlungsstärke / Ziel, wo das Ziel mindestens halb so hell wie sein Maximum ist; 1 ist gleichmäßig, 0 hat einen dunklen Pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
+            <translation>(hell − schwarz) / (hell + schwarz) der mittleren Bestrahlungsstärken dort; schwarz ist bis zu einem Hundertstel der Spitze des Ziels. 1 ist vollkommenes Schwarz.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Fraction of the emitted flux in the image.</source>
+            <translation>Anteil des ausgesandten Flusses im Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>meets the face again</source>
+            <translation>trifft die Fläche erneut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Flux that hits its exit face a second time, as in a deep concave face. Image and efficiency ignore this.</source>
+            <translation>Fluss, der seine Austrittsfläche ein zweites Mal trifft, wie bei einer tief konkaven Fläche. Bild und Wirkungsgrad berücksichtigen das nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>comes through the screen</source>
+            <translation>kommt durch den Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Flux that the screen blocks before the mirror. Image and efficiency ignore this; a screen beside the axis does not block it.</source>
+            <translation>Fluss, den der Schirm vor dem Spiegel abschattet. Bild und Wirkungsgrad berücksichtigen das nicht; ein Schirm neben der Achse schattet nicht ab.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>difference to the optimiser</source>
+            <translation>Abweichung vom Optimierer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 difference to the image of the optimiser; includes its filter and ray noise.</source>
+            <translation>Relative L2-Differenz zum Bild des Optimierers; enthält dessen Filter und Strahlrauschen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of the image; a quarter more are traced for the error without noise.</source>
+            <translation>Strahlen des Bildes; ein Viertel mehr wird für den Fehler ohne Rauschen gerechnet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>correlation</source>
+            <translation>Korrelation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>uniformity</source>
+            <translation>Gleichmäßigkeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>contrast</source>
+            <translation>Kontrast</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>efficiency</source>
+            <translation>Wirkungsgrad</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>rays</source>
+            <translation>Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Fraction of the emitted flux on the region, and its darkest and brightest pixel over the mean; 1 is uniform.</source>
+            <translation>Anteil des ausgesandten Flusses auf dem Bereich, und dessen dunkelster und hellster Pixel über dem Mittel; 1 ist gleichmäßig.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Figures of the check</source>
+            <translation>Zahlen der Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of a check</source>
+            <translation>Strahlen einer Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of a check; four times as many halve the noise</source>
+            <translation>Strahlen einer Prüfung; viermal so viele halbieren das Rauschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} Mio. Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Copy all figures to the clipboard, tab-separated</source>
+            <translation>Alle Kennzahlen in die Zwischenablage kopieren, durch Tabulator getrennt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>image {number}: {name}</source>
+            <translation>Bild {number}: {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source> Outdated figures: the design has changed.</source>
+            <translation> Veraltete Kennzahlen: der Entwurf hat sich geändert.</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3865,8 +3850,8 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Point at an image to read its light</source>
-            <translation>Auf ein Bild zeigen, um sein Licht abzulesen</translation>
+            <source>Point at an image to read its irradiance</source>
+            <translation>Auf ein Bild zeigen, um die Bestrahlungsstärke zu lesen</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3880,18 +3865,23 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Which of the scenes' images is shown, in pictures and figures</source>
-            <translation>Welches der Bilder der Szenen gezeigt wird, in Bildern und Zahlen</translation>
+            <source>Choose the image to compare</source>
+            <translation>Zu vergleichendes Bild wählen</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Light under the pointer</source>
-            <translation>Licht unter dem Zeiger</translation>
+            <source>Value under the pointer</source>
+            <translation>Wert unter dem Zeiger</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
             <source>Figures of both runs</source>
             <translation>Zahlen beider Läufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>run</source>
+            <translation>Lauf</translation>
         </message>
         <message>
             <location filename="../../ui/run/control.py" />
@@ -3904,29 +3894,64 @@
             <translation>Entwurfslauf</translation>
         </message>
         <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>Following: the first design is under way</source>
-            <translation>Folgen: der erste Entwurf entsteht</translation>
+            <location filename="../../ui/run/control.py" />
+            <source>There is no result yet, or it is still being computed. Try again in a moment.</source>
+            <translation>Es gibt noch kein Ergebnis, oder es wird noch berechnet. Gleich noch einmal versuchen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>the best lens so far, after {count} iterations</source>
+            <translation>die bisher beste Linse, nach {count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>the best mirror so far, after {count} iterations</source>
+            <translation>der bisher beste Spiegel, nach {count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>this lens, {origin}</source>
+            <translation>diese Linse, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>this mirror, {origin}</source>
+            <translation>dieser Spiegel, {origin}</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Following: the first design takes long here; edits wait for a pause</source>
-            <translation>Folgen: der erste Entwurf dauert hier lange; Änderungen warten auf eine Pause</translation>
+            <source>Updating the lens</source>
+            <translation>Linse wird aktualisiert</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>design of the lens that was missing</source>
+            <source>Updating the mirror</source>
+            <translation>Spiegel wird aktualisiert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Updating the lens: slow task, edits are applied after a pause</source>
+            <translation>Linse wird aktualisiert: langsame Aufgabe, Änderungen wirken nach einer Pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Updating the mirror: slow task, edits are applied after a pause</source>
+            <translation>Spiegel wird aktualisiert: langsame Aufgabe, Änderungen wirken nach einer Pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the missing lens</source>
             <translation>Entwurf der fehlenden Linse</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>design of the mirror that was missing</source>
+            <source>design of the missing mirror</source>
             <translation>Entwurf des fehlenden Spiegels</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Following: error {error:.1f} %, still getting better</source>
-            <translation>Folgen: Fehler {error:.1f} %, wird noch besser</translation>
+            <source>Updating: error {error:.1f} %</source>
+            <translation>Aktualisierung: Fehler {error:.1f} %</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
@@ -3939,39 +3964,14 @@
             <translation>Entwurf des Spiegels</translation>
         </message>
         <message>
-            <location filename="../../ui/run/kept.py" />
+            <location filename="../../ui/run/kept_runs.py" />
             <source>Run {number}: {description}</source>
             <translation>Lauf {number}: {description}</translation>
         </message>
         <message>
-            <location filename="../../ui/run/kept.py" />
-            <source>Followed {number}: {description}</source>
-            <translation>Gefolgt {number}: {description}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
-            <translation>Es gibt noch kein Ergebnis, oder sein Licht wird noch durchgerechnet; gleich noch einmal versuchen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the best lens so far, after {count} iterations</source>
-            <translation>die bisher beste Linse, nach {count} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the best mirror so far, after {count} iterations</source>
-            <translation>der bisher beste Spiegel, nach {count} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the lens on show, {origin}</source>
-            <translation>die gezeigte Linse, {origin}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the mirror on show, {origin}</source>
-            <translation>der gezeigte Spiegel, {origin}</translation>
+            <location filename="../../ui/run/kept_runs.py" />
+            <source>Live update {number}: {description}</source>
+            <translation>Live-Aktualisierung {number}: {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -3985,18 +3985,18 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Stop asked for</source>
-            <translation>Stopp verlangt</translation>
+            <source>Stop requested</source>
+            <translation>Stopp angefordert</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>{name} is kept no longer: kept runs would take too much memory</source>
-            <translation>{name} wird nicht mehr aufbewahrt: aufbewahrte Läufe bräuchten zu viel Speicher</translation>
+            <source>{name} was removed: memory limit of kept runs</source>
+            <translation>{name} wurde entfernt: Speichergrenze der Läufe</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run begins: {name}, method {method}</source>
-            <translation>Lauf beginnt: {name}, Methode {method}</translation>
+            <source>Run started: {name}, method {method}</source>
+            <translation>Lauf gestartet: {name}, Verfahren {method}</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -4035,28 +4035,38 @@
         </message>
         <message>
             <location filename="../../ui/run/run_check.py" />
-            <source>Checked error {error} at {iteration}</source>
-            <translation>Geprüfter Fehler {error} bei {iteration}</translation>
+            <source>Verified error {error} at iteration {iteration}</source>
+            <translation>Geprüfter Fehler {error} bei Iteration {iteration}</translation>
         </message>
         <message>
-            <location filename="../../ui/run/runner.py" />
-            <source>run</source>
-            <translation>Lauf</translation>
+            <location filename="../../ui/run/run_check.py" />
+            <source>bound</source>
+            <translation>Schranke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>lower bound {error}</source>
+            <translation>untere Schranke {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
+            <translation>Bewiesene untere Schranke des relativen L2-Fehlers: {bound}; {error} mit einer Quelle halber Breite. Einzelheiten: freeform bound.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose one run in View &gt; Runs first.</source>
+            <source>Select a run in View &gt; Runs first.</source>
             <translation>Zuerst in Ansicht &gt; Läufe einen Lauf wählen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose runs in View &gt; Runs first.</source>
+            <source>Select runs in View &gt; Runs first.</source>
             <translation>Zuerst in Ansicht &gt; Läufe Läufe wählen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose two runs in View &gt; Runs first: Ctrl and a click.</source>
-            <translation>Zuerst in Ansicht &gt; Läufe zwei Läufe wählen: Strg und Klick.</translation>
+            <source>Select two runs in View &gt; Runs first (Ctrl+click).</source>
+            <translation>Zuerst zwei Läufe in Ansicht &gt; Läufe wählen (Strg+Klick).</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4065,7 +4075,7 @@
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>The run is still called {name}: {reason}</source>
+            <source>The run was not renamed; it is still {name}: {reason}</source>
             <translation>Der Lauf heißt weiterhin {name}: {reason}</translation>
         </message>
         <message>
@@ -4115,23 +4125,23 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Iterations done, and how many a second lately</source>
-            <translation>Ausgeführte Iterationen, und wie viele je Sekunde zuletzt</translation>
+            <source>Finished iterations, and the current rate</source>
+            <translation>Erledigte Iterationen und ihre Rate</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image after so many iterations of the run, by an independent trace with rays that the design never saw; the scatter of these rays is left out</source>
-            <translation>Relativer L2-Fehler des Bildes nach so vielen Iterationen des Laufs, nach einer unabhängigen Durchrechnung mit Strahlen, die der Entwurf nie gesehen hat; ohne die Streuung dieser Strahlen</translation>
+            <source>Relative L2 error of the image at this iteration, by the independent check, without ray noise</source>
+            <translation>Relativer L2-Fehler des Bildes bei dieser Iteration, nach der unabhängigen Prüfung, ohne Strahlrauschen</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the design on show, by an independent trace with rays that the design never saw; the scatter of these rays is left out. The log tells more</source>
-            <translation>Relativer L2-Fehler des gezeigten Entwurfs, nach einer unabhängigen Durchrechnung mit Strahlen, die der Entwurf nie gesehen hat; ohne die Streuung dieser Strahlen. Das Protokoll sagt mehr</translation>
+            <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
+            <translation>Relativer L2-Fehler dieses Entwurfs, nach der unabhängigen Prüfung, ohne Strahlrauschen; Einzelheiten im Protokoll</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are given for each</source>
-            <translation>Wie weit das Bild vom Ziel entfernt ist, wie der Entwurf es sieht (relatives L2), und wie viel Licht ankommt, wo es gewünscht ist: auf dem Schirm oder im Fernfeld. Bei mehreren Bildern beides für jedes</translation>
+            <source>Relative L2 error of the image as the optimiser computes it, and the fraction of the flux on the receiver; both for each image</source>
+            <translation>Relativer L2-Fehler des Bildes, wie der Optimierer ihn berechnet, und der Anteil des Flusses auf dem Empfänger; beides für jedes Bild</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4140,8 +4150,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>What the design makes as small as it can</source>
-            <translation>Was der Entwurf so klein wie möglich macht</translation>
+            <source>Loss that the optimiser minimises</source>
+            <translation>Verlust, den der Optimierer minimiert</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4150,8 +4160,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Time left at the pace of the last seconds. Automatic ends sooner when nothing improves any more</source>
-            <translation>Verbleibende Zeit beim Tempo der letzten Sekunden. Automatisch endet früher, wenn nichts mehr besser wird</translation>
+            <source>Remaining time at the current rate; the automatic method ends sooner without further gain</source>
+            <translation>Restzeit bei der jetzigen Rate; das automatische Verfahren endet früher, wenn nichts mehr besser wird</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4165,8 +4175,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Each run that ends is kept here, to be compared with others and gone back to.</source>
-            <translation>Jeder beendete Lauf wird hier aufbewahrt, um ihn zu vergleichen und zu ihm zurückzukehren.</translation>
+            <source>Finished runs are listed here, to compare and restore them.</source>
+            <translation>Fertige Läufe stehen hier, zum Vergleichen und Wiederherstellen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4175,13 +4185,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>What the run is called, with its light; a check mark draws its loss beside that of this run</source>
-            <translation>Wie der Lauf heißt, mit seinem Licht; ein Häkchen zeichnet seine Zielfunktion neben der dieses Laufs</translation>
+            <source>Name and image of the run; tick it to plot its loss beside that of this run</source>
+            <translation>Name und Bild des Laufs; ein Häkchen zeichnet seinen Verlust neben den dieses Laufs</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>The image that the light should draw: its file, or what it is</source>
-            <translation>Das Bild, das das Licht zeichnen soll: seine Datei, oder was es ist</translation>
+            <source>Target image: file or built-in shape</source>
+            <translation>Zielbild: Datei oder eingebaute Form</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4190,8 +4200,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Relative L2 error of its best result, as the run saw it</source>
-            <translation>Relativer L2-Fehler seines besten Ergebnisses, wie der Lauf ihn sah</translation>
+            <source>Relative L2 error of the best result, as the optimiser computes it</source>
+            <translation>Relativer L2-Fehler des besten Ergebnisses, wie der Optimierer ihn berechnet</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4200,8 +4210,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Relative L2 error of its result, by an independent trace with other rays</source>
-            <translation>Relativer L2-Fehler des Ergebnisses, nach einer unabhängigen Durchrechnung mit anderen Strahlen</translation>
+            <source>Relative L2 error of the result, by the independent check</source>
+            <translation>Relativer L2-Fehler des Ergebnisses, nach der unabhängigen Prüfung</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4210,8 +4220,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Part of the light that lands on the screen, or in the far field</source>
-            <translation>Teil des Lichts, der auf dem Schirm oder im Fernfeld ankommt</translation>
+            <source>Fraction of the flux on the receiver</source>
+            <translation>Anteil des Flusses auf dem Empfänger</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4220,13 +4230,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Iterations</source>
-            <translation>Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/table.py" />
-            <source>Iterations taken, those of runs that it continued included</source>
-            <translation>Ausgeführte Iterationen, auch die der Läufe, die er fortsetzte</translation>
+            <source>Iterations, including those of continued runs</source>
+            <translation>Iterationen, samt denen fortgesetzter Läufe</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4245,13 +4250,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>How the result was searched for</source>
-            <translation>Wie das Ergebnis gesucht wurde</translation>
+            <source>Design method</source>
+            <translation>Entwurfsverfahren</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Loss of its best result, as the run saw it</source>
-            <translation>Zielfunktion des besten Ergebnisses, wie der Lauf sie sah</translation>
+            <source>Loss of the best result</source>
+            <translation>Verlust des besten Ergebnisses</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4280,13 +4285,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Give the design this run's task and result</source>
-            <translation>Dem Entwurf Aufgabe und Ergebnis dieses Laufs geben</translation>
+            <source>Restore task and result of this run</source>
+            <translation>Aufgabe und Ergebnis dieses Laufs wiederherstellen</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Forget the chosen runs</source>
-            <translation>Die gewählten Läufe verwerfen</translation>
+            <source>Delete the selected runs</source>
+            <translation>Gewählte Läufe löschen</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4295,13 +4300,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>See two chosen runs beside each other: light, figures, fields</source>
-            <translation>Zwei gewählte Läufe nebeneinander sehen: Licht, Zahlen, Felder</translation>
+            <source>Compare irradiance, figures and fields of two selected runs</source>
+            <translation>Bestrahlungsstärke, Kennzahlen und Felder zweier gewählter Läufe vergleichen</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>The one of the design</source>
-            <translation>Der des Entwurfs</translation>
+            <source>Run of the current lens</source>
+            <translation>Lauf der aktuellen Linse</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4309,219 +4314,14 @@
             <translation>Ein Name hat höchstens {count} Zeichen</translation>
         </message>
         <message>
-            <location filename="../../ui/shown/image_titles.py" />
+            <location filename="../../ui/shown/frame.py" />
             <source>Image {number}, {place}</source>
             <translation>Bild {number}, {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/startup/unexpected_errors.py" />
-            <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
-            <translation>Etwas ist schiefgegangen, das nicht schiefgehen sollte: {error}. Ihre Arbeit ist noch da: speichern Sie sie.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/startup/warm_up.py" />
-            <source>start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/curve.py" />
-            <source>Verified error over the values</source>
-            <translation>Geprüfter Fehler über den Werten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
-            <translation>Jeder Wert, oder jedes Paar von Werten zweier Felder, bekommt einen eigenen Entwurf, der geprüft wird. Sitzungen und eine Tabelle (CSV, JSON) kommen in den Ordner; was dort fertig ist, wird nicht noch einmal gemacht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Verified error</source>
-            <translation>Geprüfter Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Light</source>
-            <translation>Licht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Seconds</source>
-            <translation>Sekunden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Sweep</source>
-            <translation>Reihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Folder</source>
-            <translation>Ordner</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>How far the sweep is</source>
-            <translation>Wie weit die Reihe ist</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>&amp;Open design</source>
-            <translation>&amp;Entwurf öffnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Open the session of the chosen row in the window</source>
-            <translation>Die Sitzung der gewählten Zeile im Fenster öffnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Choose a folder for the designs.</source>
-            <translation>Einen Ordner für die Entwürfe wählen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Asked for at the start</source>
-            <translation>Wird beim Start erfragt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Choose the folder</source>
-            <translation>Den Ordner wählen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>sweep</source>
-            <translation>Reihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>{count} of {wanted} designs</source>
-            <translation>{count} von {wanted} Entwürfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Designs of the sweep</source>
-            <translation>Entwürfe der Reihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
-            <translation>Zwischen Kommas: Zahlen wie 1, 2.5, 3; ganze Zahlen wie 0..4; Paare wie 64x48; Wörter wie auto. Längen in der Einheit der Szene.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Field</source>
-            <translation>Feld</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Second field</source>
-            <translation>Zweites Feld</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Values of {field}</source>
-            <translation>Werte von {field}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>now {value}</source>
-            <translation>jetzt {value}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/threads/failure.py" />
-            <source>The {work} ended with an {error}</source>
-            <translation>{work}: beendet mit „{error}“</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Save…</source>
-            <translation>Speichern …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
-            <translation>Das Diagramm (PNG, SVG) oder die Zahlen jeder Linse (CSV, JSON) speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a whole number from 1 to {most} is needed</source>
-            <translation>eine ganze Zahl von 1 bis {most} ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a whole number from 0 is needed</source>
-            <translation>eine ganze Zahl ab 0 ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a finite number from 0 is needed</source>
-            <translation>eine endliche Zahl ab 0 ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>over</source>
-            <translation>über</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Lenses</source>
-            <translation>Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>How many are traced; more make the tail surer</source>
-            <translation>Wie viele durchgerechnet werden; mehr machen die Ränder der Verteilung sicherer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Seed</source>
-            <translation>Startwert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Nothing is off: give a tilt, a decentre or another tolerance.</source>
-            <translation>Nichts weicht ab: eine Verkippung, Dezentrierung oder andere Toleranz angeben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>sample of tolerances</source>
-            <translation>Toleranzstichprobe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Trace no more; those that are traced count</source>
-            <translation>Nicht weiter durchrechnen; was durchgerechnet ist, zählt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Perturb what is on show at random, and trace each with fresh rays</source>
-            <translation>Das Gezeigte zufällig stören und jedes mit neuen Strahlen durchrechnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>{count} of {wanted} lenses</source>
-            <translation>{count} von {wanted} Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
-            <translation>{done}: Fehler wie entworfen {nominal:.2f} %, Median {median:.2f} %, 95 % der Linsen unter {most:.2f} %, schlechteste {worst:.2f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Out of date: the lens has changed since.</source>
-            <translation>Veraltet: die Linse hat sich seitdem geändert.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/spread_view.py" />
-            <source>How does the image change when lenses are a little off? Start traces some of them.</source>
-            <translation>Wie ändert sich das Bild, wenn Linsen etwas abweichen? Start rechnet einige davon durch.</translation>
+            <location filename="../../ui/unexpected_errors.py" />
+            <source>Unexpected error: {error}. Save your work.</source>
+            <translation>Unerwarteter Fehler: {error}. Bitte die Arbeit speichern.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4530,13 +4330,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Choose it here, or click it in the 3D scene.</source>
-            <translation>Hier wählen oder in der 3D-Szene anklicken.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>Computed when the design rests…</source>
-            <translation>Wird berechnet, sobald der Entwurf ruht …</translation>
+            <source>Choose a control point here, or click it in the 3D scene.</source>
+            <translation>Kontrollpunkt hier wählen oder in der 3D-Szene anklicken.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4550,8 +4345,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>There is no map of this point yet.</source>
-            <translation>Von diesem Punkt gibt es noch keine Karte.</translation>
+            <source>The map is not computed yet.</source>
+            <translation>Die Karte ist noch nicht berechnet.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4574,17 +4369,7 @@
             <translation>Summe: der Lichtstrom auf dem Schirm ändert sich um {sum} je {unit}{part}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/face_choice.py" />
-            <source>Face</source>
-            <translation>Fläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/face_choice.py" />
-            <source>Which of the freeform faces of the lens is meant</source>
-            <translation>Welche der Freiformflächen der Linse gemeint ist</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_curve.py" />
+            <location filename="../../ui/views/focus_view.py" />
             <source>Relative L2 error against the distance; the dotted line is the screen</source>
             <translation>Relativer L2-Fehler über dem Abstand; die gepunktete Linie ist der Schirm</translation>
         </message>
@@ -4595,8 +4380,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>A far field is at no distance: there is nothing to focus.</source>
-            <translation>Ein Fernfeld liegt in keinem Abstand: es gibt nichts zu fokussieren.</translation>
+            <source>A far field has no distance to vary.</source>
+            <translation>Ein Fernfeld hat keinen Abstand, der sich ändern ließe.</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4605,8 +4390,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Look at the light before or behind the screen: half to one and a half times its distance. The scene stays as it is</source>
-            <translation>Das Licht vor oder hinter dem Schirm ansehen: beim halben bis anderthalbfachen Abstand. Die Szene bleibt, wie sie ist</translation>
+            <source>Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is unchanged</source>
+            <translation>Bestrahlungsstärke beim 0,5- bis 1,5-Fachen des Schirmabstands zeigen; die Szene bleibt unverändert</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4615,8 +4400,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Go back to the distance of the scene's screen</source>
-            <translation>Zum Abstand des Schirms der Szene zurückkehren</translation>
+            <source>Return to the distance of the screen</source>
+            <translation>Zum Abstand des Schirms zurückkehren</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4625,13 +4410,13 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Trace the light to many distances and draw the error against them</source>
-            <translation>Das Licht in vielen Abständen durchrechnen und den Fehler darüber zeichnen</translation>
+            <source>Plot the error against the distance</source>
+            <translation>Fehler über dem Abstand zeichnen</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>traced when the design rests…</source>
-            <translation>wird durchgerechnet, sobald der Entwurf ruht …</translation>
+            <source>computed when the design rests…</source>
+            <translation>wird berechnet, wenn der Entwurf ruht …</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4640,8 +4425,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>no light arrives there</source>
-            <translation>dort kommt kein Licht an</translation>
+            <source>no flux arrives there</source>
+            <translation>dort kommt kein Fluss an</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4660,52 +4445,22 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>The light there is traced when the design rests.</source>
-            <translation>Das Licht dort wird durchgerechnet, sobald der Entwurf ruht.</translation>
+            <source>Computed when the design rests.</source>
+            <translation>Wird berechnet, wenn der Entwurf ruht.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Moment of the run</source>
-            <translation>Zeitpunkt des Laufs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Look back at the design and its light at any moment of the run</source>
-            <translation>Auf den Entwurf und sein Licht zu jedem Zeitpunkt des Laufs zurückblicken</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>iteration {number}</source>
-            <translation>Iteration {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Go on from here</source>
-            <translation>Von hier fortfahren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Take the design as it was at this moment, and continue from it; Undo brings the later one back</source>
-            <translation>Den Entwurf nehmen, wie er zu diesem Zeitpunkt war, und von dort fortfahren; Rückgängig bringt den späteren zurück</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
-            <source>Which of the scene's images is shown</source>
-            <translation>Welches der Bilder der Szene gezeigt wird</translation>
+            <location filename="../../ui/views/image_link.py" />
+            <source>Choose the image to show</source>
+            <translation>Anzuzeigendes Bild wählen</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
-            <source>Value under the pointer</source>
-            <translation>Wert unter dem Zeiger</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_view.py" />
-            <source>beside the lens</source>
+            <source>outside the lens</source>
             <translation>neben der Linse</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
-            <source>beside the mirror</source>
+            <source>outside the mirror</source>
             <translation>neben dem Spiegel</translation>
         </message>
         <message>
@@ -4714,14 +4469,34 @@
             <translation>{value} bei {x}, {y}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/light_image_view.py" />
+            <location filename="../../ui/views/light_images.py" />
+            <source>Draw a line</source>
+            <translation>Eine Linie ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Drag across an image to draw the line of a cross-section; or use Shift and drag</source>
+            <translation>Über ein Bild ziehen, um die Linie eines Schnitts zu zeichnen; oder Umschalt und Ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>{side}: mirror-inverted</source>
+            <translation>{side}: spiegelverkehrt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours</source>
             <translation>Logarithmische Farben</translation>
         </message>
         <message>
-            <location filename="../../ui/views/light_image_view.py" />
-            <source>Logarithmic colours, over three decades: stray light is seen</source>
-            <translation>Logarithmische Farben über drei Dekaden: Streulicht wird sichtbar</translation>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Logarithmic colours over three decades, to see stray light</source>
+            <translation>Logarithmische Farben über drei Dekaden, um Streulicht zu sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>The target, scaled to the flux that arrives: where the irradiance is right, both have the same colour. The light account shows where lost light goes.</source>
+            <translation>Das Ziel, auf den ankommenden Fluss skaliert: wo die Bestrahlungsstärke stimmt, haben beide dieselbe Farbe. Die Lichtbilanz zeigt, wohin verlorenes Licht geht.</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_view.py" />
@@ -4730,8 +4505,33 @@
         </message>
         <message>
             <location filename="../../ui/views/light_view.py" />
-            <source>The parts together; the account is complete when this is 100 %.</source>
-            <translation>Die Teile zusammen; die Bilanz ist vollständig, wenn das 100 % ist.</translation>
+            <source>Sum of all parts; 100 % when the account is complete.</source>
+            <translation>Summe aller Teile; 100 %, wenn die Bilanz vollständig ist.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Iteration of the run</source>
+            <translation>Iteration des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Show the design at an earlier iteration of the run</source>
+            <translation>Entwurf bei einer früheren Iteration des Laufs zeigen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>iteration {number}</source>
+            <translation>Iteration {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Continue from here</source>
+            <translation>Von hier fortsetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
+            <translation>Entwurf dieser Iteration wiederherstellen und von ihm fortsetzen; Rückgängig stellt den späteren wieder her</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4740,8 +4540,8 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
-            <source>What the loss is drawn against, and how</source>
-            <translation>Worüber die Zielfunktion gezeichnet wird, und wie</translation>
+            <source>Axes of the plot</source>
+            <translation>Achsen des Diagramms</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4765,17 +4565,17 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
-            <source>The loss is drawn here while a design runs. Run &gt; Start begins one.</source>
-            <translation>Hier wird die Zielfunktion gezeichnet, während ein Entwurf läuft. Lauf &gt; Start beginnt einen.</translation>
+            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
+            <translation>Der Verlust eines Laufs wird hier gezeichnet. Lauf &gt; Start startet einen Lauf.</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>predict the photo</source>
+            <source>photo prediction</source>
             <translation>Fotovorhersage</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>There is no lens yet: Start designs one.</source>
+            <source>There is no lens yet. Start designs one.</source>
             <translation>Es gibt noch keine Linse: Start entwirft eine.</translation>
         </message>
         <message>
@@ -4795,8 +4595,8 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>What the lens is lit by: as its source suggests (daylight from infinitely far, a laser as a Gaussian beam, else an LED), or another light</source>
-            <translation>Womit die Linse beleuchtet wird: wie ihre Quelle es nahelegt (Tageslicht aus dem Unendlichen, ein Laser als Gaußstrahl, sonst eine LED), oder ein anderes Licht</translation>
+            <source>Light of the photo: that of the source (daylight for collimated light, a laser for a Gaussian beam, otherwise an LED), or another one</source>
+            <translation>Licht des Fotos: das der Quelle (Tageslicht bei kollimiertem Licht, Laser bei Gauß-Strahl, sonst LED) oder ein anderes</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4810,8 +4610,8 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Exposure in stops: one more makes all twice as bright</source>
-            <translation>Belichtung in Blendenstufen: eine mehr macht alles doppelt so hell</translation>
+            <source>Exposure in stops; each stop doubles the brightness</source>
+            <translation>Belichtung in Blendenstufen; jede Stufe verdoppelt die Helligkeit</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4820,36 +4620,36 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>The usual exposure: the target's brightest pixel is white</source>
-            <translation>Die übliche Belichtung: das hellste Pixel des Ziels ist weiß</translation>
+            <source>Default exposure: the target's brightest pixel is white</source>
+            <translation>Standardbelichtung: der hellste Pixel des Ziels ist weiß</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Usual exposure</source>
-            <translation>Übliche Belichtung</translation>
+            <source>Default exposure</source>
+            <translation>Standardbelichtung</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Out of date: of the lens before. </source>
-            <translation>Veraltet: von der vorigen Linse. </translation>
+            <source>Outdated. </source>
+            <translation>Veraltet. </translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>The first picture of this design comes in a moment.</source>
-            <translation>Das erste Bild dieses Entwurfs kommt gleich.</translation>
+            <source>The image is being computed.</source>
+            <translation>Das Bild wird berechnet.</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>There is too little room here for a picture.</source>
-            <translation>Hier ist zu wenig Platz für ein Bild.</translation>
+            <source>Too little space for a plot.</source>
+            <translation>Zu wenig Platz für ein Diagramm.</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>There is no picture of this design: its light cannot be traced.</source>
-            <translation>Von diesem Entwurf gibt es kein Bild: sein Licht lässt sich nicht durchrechnen.</translation>
+            <source>There is no image: this design cannot be traced.</source>
+            <translation>Es gibt kein Bild: dieser Entwurf lässt sich nicht rechnen.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/region_marks.py" />
+            <location filename="../../ui/views/region_tool.py" />
             <source>least / mean {number:.2f}</source>
             <translation>kleinste / mittlere {number:.2f}</translation>
         </message>
@@ -4874,28 +4674,13 @@
             <translation>Mittlere Krümmung</translation>
         </message>
         <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>Draw a line</source>
-            <translation>Eine Linie ziehen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>Drag across an image to draw the line of a cross-section; Shift and drag does so too</source>
-            <translation>Über ein Bild ziehen, um die Linie eines Schnitts zu zeichnen; Umschalt und Ziehen tut es auch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>{side}: mirror-inverted</source>
-            <translation>{side}: spiegelverkehrt</translation>
-        </message>
-        <message>
             <location filename="../../ui/views/section_view.py" />
-            <source>Where the screen is cut: along x or y through the place that is clicked in an image,
-or along a line that is drawn across one with Shift and drag.
-Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line</source>
-            <translation>Wo der Schirm geschnitten wird: entlang x oder y durch die Stelle, die in einem Bild angeklickt wird,
-oder entlang einer Linie, die mit Umschalt und Ziehen gezeichnet wird.
-Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mit Strg das Ende der Linie</translation>
+            <source>Cross-section along x or y through the point clicked in an image,
+or along a line drawn with Shift and drag.
+Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
+            <translation>Schnitt entlang x oder y durch den im Bild angeklickten Punkt
+oder entlang einer mit Umschalt und Ziehen gezeichneten Linie.
+Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit Strg das Ende der Linie</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
@@ -4925,19 +4710,29 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
 {tip}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/target_view.py" />
-            <source>The target with as much light as arrives: where the irradiance is right, both have the same colour, however much light is lost on the way. The light account tells where that goes.</source>
-            <translation>Das Ziel mit so viel Licht, wie ankommt: wo die Bestrahlungsstärke stimmt, haben beide dieselbe Farbe, wie viel Licht auch unterwegs verloren geht. Die Lichtbilanz sagt, wohin.</translation>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>Face</source>
+            <translation>Fläche</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/log_view.py" />
-            <source>What runs, checks and exports tell is written here.</source>
-            <translation>Hier steht, was Läufe, Prüfungen und Exporte melden.</translation>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>Choose the freeform face</source>
+            <translation>Freiformfläche wählen</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/message_bar.py" />
+            <location filename="../../ui/widgets/labels.py" />
+            <source>Outdated: the design has changed</source>
+            <translation>Veraltet: der Entwurf hat sich geändert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/messages.py" />
             <source>Close this message</source>
             <translation>Diese Meldung schließen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/messages.py" />
+            <source>Messages of runs, checks and exports appear here.</source>
+            <translation>Hier stehen Meldungen von Läufen, Prüfungen und Exporten.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
@@ -4961,8 +4756,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
-            <source>The receivers cover different places: nothing to subtract.</source>
-            <translation>Die Empfänger decken verschiedene Orte ab: nichts abzuziehen.</translation>
+            <source>The receivers differ: no difference image.</source>
+            <translation>Die Empfänger sind verschieden: kein Differenzbild.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
@@ -5025,18 +4820,143 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{axis} bei {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/veil.py" />
-            <source>Outdated: this is the design before the change</source>
-            <translation>Veraltet: das ist der Entwurf vor der Änderung</translation>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens does not fit the new outline. Start designs another one; Undo restores it.</source>
+            <translation>Die Linse passt nicht zum neuen Umriss. Start entwirft eine andere; Rückgängig stellt sie wieder her.</translation>
         </message>
         <message>
-            <location filename="../../ui/window/early_parts.py" />
-            <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
-            <translation>Der Lauf wartet auf seine Rechenkerne: sie werden einmal nach der Installation übersetzt, etwa eine halbe Minute lang</translation>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror does not fit the new outline. Start designs another one; Undo restores it.</source>
+            <translation>Der Spiegel passt nicht zum neuen Umriss. Start entwirft einen anderen; Rückgängig stellt ihn wieder her.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face is freeform now, and still flat. Continue shapes both faces; Undo reverts.</source>
+            <translation>Die Eintrittsfläche ist jetzt eine Freiformfläche und noch eben. Fortsetzen formt beide Flächen; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face is flat now; the exit face is unchanged. Continue reshapes the exit face; Undo reverts.</source>
+            <translation>Die Eintrittsfläche ist jetzt eben; die Austrittsfläche ist unverändert. Fortsetzen formt die Austrittsfläche neu; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
+            <translation>Die Linse wurde um bis zu {moved} geändert, um die neuen Grenzen einzuhalten. Fortsetzen verbessert sie; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
+            <translation>Der Spiegel wurde um bis zu {moved} geändert, um die neuen Grenzen einzuhalten. Fortsetzen verbessert ihn; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The net now has {size} control points; the lens was transferred to it. Continue improves it; Undo reverts.</source>
+            <translation>Das Netz hat jetzt {size} Kontrollpunkte; die Linse wurde darauf übertragen. Fortsetzen verbessert sie; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The net now has {size} control points; the mirror was transferred to it. Continue improves it; Undo reverts.</source>
+            <translation>Das Netz hat jetzt {size} Kontrollpunkte; der Spiegel wurde darauf übertragen. Fortsetzen verbessert ihn; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens was designed for another task. Continue starts from it; Start over does not</source>
+            <translation>Die Linse wurde für eine andere Aufgabe entworfen. Fortsetzen geht von ihr aus; Neu starten nicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror was designed for another task. Continue starts from it; Start over does not</source>
+            <translation>Der Spiegel wurde für eine andere Aufgabe entworfen. Fortsetzen geht von ihm aus; Neu starten nicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source> ({count} more refused)</source>
+            <translation> ({count} weitere abgelehnt)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{first}{others}. Correct it, or press Esc.</source>
+            <translation>{first}{others}. Bitte korrigieren oder Esc drücken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Stop and apply</source>
+            <translation>Stoppen und anwenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{name} is unchanged on {size} control points.</source>
+            <translation>{name} bleibt auf {size} Kontrollpunkten unverändert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Use {size}, exact</source>
+            <translation>{size} verwenden, exakt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{name} is approximated on {size} control points: deviation up to {off}. Continue improves it; Undo reverts.</source>
+            <translation>{name} wird auf {size} Kontrollpunkten angenähert: Abweichung bis {off}. Fortsetzen verbessert; Rückgängig nimmt es zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>control points</source>
+            <translation>Kontrollpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens</source>
+            <translation>Die Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror</source>
+            <translation>Der Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face</source>
+            <translation>Die Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{image} has changed on disk. The design keeps the earlier picture.</source>
+            <translation>{image} hat sich auf der Platte geändert. Der Entwurf behält das frühere Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Reload</source>
+            <translation>Neu laden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>All lengths were converted: 1 {old} = {ratio:.6g} {new}.</source>
+            <translation>Alle Längen wurden umgerechnet: 1 {old} = {ratio:.6g} {new}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Keep the numbers</source>
+            <translation>Zahlen beibehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>change of unit alone</source>
+            <translation>nur die Einheit ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layout.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Die Ansicht ({what}) dieses Entwurfs lässt sich nicht wiederherstellen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
-            <source>Stop the run first; then mark regions.</source>
+            <source>Stop the run first, then mark regions.</source>
             <translation>Erst den Lauf anhalten, dann Ausschnitte markieren.</translation>
         </message>
         <message>
@@ -5045,9 +4965,154 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Prüfung abb&amp;rechen</translation>
         </message>
         <message>
-            <location filename="../../ui/window/view_state.py" />
-            <source>The {what} kept with this design cannot be shown again: {error}</source>
-            <translation>Mit diesem Entwurf Gespeichertes kann nicht wieder gezeigt werden ({what}): {error}</translation>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Refine and start over</source>
+            <translation>Verfeinern und neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>automatic control points</source>
+            <translation>automatische Kontrollpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The run goes on within them.</source>
+            <translation>Der Lauf arbeitet innerhalb dieser Grenzen weiter.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Stop and widen</source>
+            <translation>Stoppen und erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Widen</source>
+            <translation>Erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Continue</source>
+            <translation>Fortsetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>automatic height range</source>
+            <translation>automatischer Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>wider height range</source>
+            <translation>breiterer Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>wider entrance range</source>
+            <translation>weiterer Eintrittsbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The height range is automatic now</source>
+            <translation>Der Höhenbereich ist jetzt automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>Der Höhenbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>Der Eintrittsbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{change}; the lens is unchanged. Start over usually gives the better result.</source>
+            <translation>{change}; die Linse ist unverändert. Neu starten gibt meist das bessere Ergebnis.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{change}; the mirror is unchanged. Start over usually gives the better result.</source>
+            <translation>{change}; der Spiegel ist unverändert. Neu starten gibt meist das bessere Ergebnis.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Start over</source>
+            <translation>Neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>search for total reflection</source>
+            <translation>Suche nach Totalreflexion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is only one freeform face; Freeform entrance face adds a second one</source>
+            <translation>Es gibt eine Freiformfläche: „Freiform-Eintrittsfläche“ gibt einer Linse eine zweite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Not possible during a run. Stop it first</source>
+            <translation>Während eines Laufs nicht möglich. Zuerst anhalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Flat &amp;entrance face</source>
+            <translation>&amp;Ebene Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Freeform &amp;entrance face</source>
+            <translation>Fr&amp;eiform-Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Start over</source>
+            <translation>&amp;Neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Resume</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is no lens yet; Start designs one</source>
+            <translation>Es gibt noch keine Linse: Start entwirft eine</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is no mirror yet; Start designs one</source>
+            <translation>Es gibt noch keinen Spiegel: Start entwirft einen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>the best lens so far</source>
+            <translation>die bisher beste Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>the best mirror so far</source>
+            <translation>der bisher beste Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Uses {lens}</source>
+            <translation>Verwendet: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>A lens has one freeform face</source>
+            <translation>Eine Linse hat eine Freiformfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>A mirror has one freeform face</source>
+            <translation>Ein Spiegel hat eine Freiformfläche</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -5086,13 +5151,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Stopped: {command} ({keys}) can make the lens better</source>
-            <translation>Gestoppt: {command} ({keys}) kann die Linse besser machen</translation>
+            <source>Done: no further gain</source>
+            <translation>Fertig: kein weiterer Gewinn</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Stopped: {command} ({keys}) can make the mirror better</source>
-            <translation>Gestoppt: {command} ({keys}) kann den Spiegel besser machen</translation>
+            <source>Stopped; {command} ({keys}) improves the lens</source>
+            <translation>Angehalten; {command} ({keys}) verbessert die Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped; {command} ({keys}) improves the mirror</source>
+            <translation>Angehalten; {command} ({keys}) verbessert den Spiegel</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -5106,8 +5176,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
-            <source>A click goes back or forth to that step</source>
-            <translation>Ein Klick geht zu diesem Schritt zurück oder vor</translation>
+            <source>Click a step to restore it</source>
+            <translation>Schritt anklicken, um ihn wiederherzustellen</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -5115,9 +5185,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie wieder.</translation>
         </message>
         <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
+            <translation>Der Lauf wartet auf das Übersetzen seiner Kernel (einmal nach der Installation, eine halbe Minute)</translation>
+        </message>
+        <message>
             <location filename="../../ui/windows.py" />
-            <source>{name} is open with the unsaved changes that were recovered.</source>
-            <translation>{name} ist mit den wiederhergestellten, ungespeicherten Änderungen geöffnet.</translation>
+            <source>start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>{name} is open with the recovered changes.</source>
+            <translation>{name} ist mit den wiederhergestellten Änderungen geöffnet.</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
@@ -5256,6 +5336,26 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Missed the diffuser</source>
+            <translation>Am Diffusor vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the diffuser by.</source>
+            <translation>Licht, das den Diffusor verfehlt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed by the diffuser</source>
+            <translation>Vom Diffusor absorbiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part of the light on the diffuser that does not go on behind it.</source>
+            <translation>Der Teil des Lichts auf dem Diffusor, der dahinter nicht weiterläuft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>far field</source>
             <translation>Fernfeld</translation>
         </message>
@@ -5386,8 +5486,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
-            <translation>Vakuumwellenlänge, bei der die Brechzahlen der Materialien genommen werden. Leer: 0.5876 µm (Helium d).</translation>
+            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d), or the mean of the spectrum.</source>
+            <translation>Vakuumwellenlänge, bei der die Brechzahlen der Materialien gelten. Leer: 0.5876 µm (Helium d) oder das Mittel des Spektrums.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spectrum</source>
+            <translation>Spektrum</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Up to 16 lines of light in place of one wavelength: wavelength in µm and part of the flux, as in 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Each line is traced with its own refractive indices, and an image is the sum of all lines. The parts may have any sum.</source>
+            <translation>Bis zu 16 Spektrallinien statt einer Wellenlänge: Wellenlänge in µm und Anteil am Fluss, etwa 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Jede Linie wird mit ihren eigenen Brechzahlen gerechnet, und ein Bild ist die Summe aller Linien. Die Anteile dürfen eine beliebige Summe haben.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5661,8 +5771,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
-            <translation>Linsen und Spiegel in der Reihenfolge, in der Licht sie trifft. Licht, das an einem Element vorbeigeht, ist dort verloren.</translation>
+            <source>Lenses, mirrors and diffusers in the order in which light meets them. Light that passes one by is lost there.</source>
+            <translation>Linsen, Spiegel und Diffusoren in der Reihenfolge des Lichts. Licht, das eines davon verfehlt, ist dort verloren.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6008,6 +6118,61 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
             <translation>Wie weit die ebene Rückseite der Platte hinter dem höchsten Punkt des Spiegels liegt, beim Export der Platte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diffuser</source>
+            <translation>Diffusor</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One plane that scatters light onwards: the last element of a train.</source>
+            <translation>Eine Ebene, die Licht nach vorn streut: das letzte Element einer Folge.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Scatter</source>
+            <translation>Streuung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In which directions the light goes on behind the plane.</source>
+            <translation>In welche Richtungen das Licht hinter der Ebene weiterläuft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gauß</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light is scattered about the direction in which it would go on.</source>
+            <translation>Das Licht wird um die Richtung gestreut, in der es weiterliefe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sigma</source>
+            <translation>Sigma</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far light is scattered: the radiant intensity of a narrow beam behind the diffuser falls as exp(−θ²/2σ²) with the angle θ to the beam. For small σ it is the standard deviation of the angle along each axis. The full width at half maximum, which data sheets state, is 2.355 σ.</source>
+            <translation>Wie weit Licht gestreut wird: Die Strahlstärke eines schmalen Bündels fällt hinter dem Diffusor mit dem Winkel θ zum Bündel wie exp(−θ²/2σ²). Für kleine σ ist es die Standardabweichung des Winkels entlang jeder Achse. Die Halbwertsbreite (FWHM) in Datenblättern ist 2.355 σ.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light leaves with the same radiance in all directions, wherever it comes from.</source>
+            <translation>Licht verlässt ihn mit gleicher Strahldichte in alle Richtungen, gleich woher es kommt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Transmittance</source>
+            <translation>Transmissionsgrad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that goes on behind the diffuser, at all angles of incidence. It absorbs the rest, or reflects it.</source>
+            <translation>Anteil des Lichts, der hinter dem Diffusor weiterläuft, bei allen Einfallswinkeln. Den Rest absorbiert oder reflektiert er.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6373,11 +6538,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
             <translation>Wie das Licht eines Strahls auf Pixel verteilt wird, bei der Methode der Veröffentlichung und in Ableitungskarten. Automatisch hat keinen Filter.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Gaussian</source>
-            <translation>Gauß</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7046,6 +7206,26 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>misses the diffuser</source>
+            <translation>verfehlt den Diffusor</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger diffuser catches it</source>
+            <translation>ein größerer Diffusor fängt es auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the diffuser</source>
+            <translation>wird vom Diffusor absorbiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a diffuser with a higher transmittance lets it through</source>
+            <translation>ein Diffusor mit höherem Transmissionsgrad lässt es durch</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>body of glass</source>
             <translation>Glaskörper</translation>
         </message>
@@ -7385,22 +7565,22 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>gescheitert: {why}</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the check contradicts itself: {cells:.4g} % of the light on the receiver by cells, {rays:.4g} % by random rays; no figure of this check is reliable</source>
             <translation>die Prüfung widerspricht sich: {cells:.4g} % des Lichts auf dem Empfänger über Zellen, {rays:.4g} % mit Zufallsstrahlen; kein Wert dieser Prüfung ist verlässlich</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the check contradicts itself: the images by cells and by random rays are {apart:.3g} % apart, which noise and error bound do not explain; no figure of this check is reliable</source>
             <translation>die Prüfung widerspricht sich: die Bilder über Zellen und mit Zufallsstrahlen liegen {apart:.3g} % auseinander, was Rauschen und Fehlerschranke nicht erklären; kein Wert dieser Prüfung ist verlässlich</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the run finds {run:.4g} % of the light on the receiver, the check {check:.4g} %: use the figures of the check</source>
             <translation>der Lauf findet {run:.4g} % des Lichts auf dem Empfänger, die Prüfung {check:.4g} %: die Werte der Prüfung verwenden</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the image of the run is {apart:.3g} % off the image of the check: use the figures of the check</source>
             <translation>das Bild des Laufs weicht um {apart:.3g} % vom Bild der Prüfung ab: die Werte der Prüfung verwenden</translation>
         </message>
@@ -7418,11 +7598,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>off by up to {off:g} %, not {wanted:.2g} %: {why}</source>
             <translation>bis zu {off:g} % daneben, nicht {wanted:.2g} %: {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/cells/image.py" />
-            <source>no light of this lens reaches the screen, so there is no image to judge</source>
-            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/cross_check.py" />
@@ -7455,9 +7630,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>1 zählt Strahlen je Pixel, was keine Ableitung hat; 3 oder mehr</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_elements.py" />
+            <source>Mitsuba is given no {kind}; leave it out to compare</source>
+            <translation>Mitsuba kennt {kind} nicht; zum Vergleichen weglassen</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/light.py" />
             <source>laser of {wavelength:g} µm</source>
             <translation>Laser von {wavelength:g} µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>the spectrum of the source</source>
+            <translation>das Spektrum der Quelle</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/light.py" />
@@ -7513,6 +7698,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
             <translation>{part:.3f} % des Lichts, {lumens}, im Mittel {mean}, mindestens {least}, höchstens {most}, kleinste / mittlere {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/sensitivity.py" />
+            <source>no number; a number as in lens.thickness is needed</source>
+            <translation>keine Zahl; eine Zahl wie in lens.thickness ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />
@@ -7601,6 +7791,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; a train has no such error, 0</source>
+            <translation>{size:g}; eine Folge hat keinen solchen Fehler, 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
             <translation>{size:g}; mindestens 0, weniger als {room:g}, {otherwise}</translation>
         </message>
@@ -7613,11 +7808,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/tracing/trace.py" />
             <source>{rays} are too many; at most {most}</source>
             <translation>{rays} sind zu viele; höchstens {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/tracing/train.py" />
-            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
-            <translation>ein Empfänger bei z = {z:g} kann das Element {name} berühren; mehr als {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7633,6 +7823,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
             <translation>Zellen weichen um bis zu {bound:.2g} % ab, mehr als Zufallsstrahlen: mehr Strahlen verlangen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>no light of this lens reaches the screen, so there is no image to judge</source>
+            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7813,6 +8008,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/run.py" />
             <source>control points: {n_u} × {n_v}, chosen for this task</source>
             <translation>Kontrollpunkte: {n_u} × {n_v}, für diese Aufgabe gewählt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/scattered_plan.py" />
+            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>der Diffusor verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -8031,6 +8231,41 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/files/entries.py" />
+            <source>holds a value that is NaN or infinite; finite values are needed</source>
+            <translation>enthält einen Wert, der NaN oder unendlich ist; endliche Werte sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
+            <translation>enthält einen Wert, der weder 0 noch 1 ist; falsch oder wahr ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds {dtype}; {kind} is needed</source>
+            <translation>enthält {dtype}; {kind} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has shape {found}; the scene needs {shape}</source>
+            <translation>hat die Form {found}; die Szene braucht {shape}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is in Fortran order; C order is needed</source>
+            <translation>ist in Fortran-Reihenfolge; C-Reihenfolge ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has {given} bytes of values; shape {shape} needs {size}</source>
+            <translation>hat {given} Bytes an Werten; die Form {shape} braucht {size}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is no .npy array: its header cannot be read</source>
+            <translation>ist kein .npy-Array: der Kopf lässt sich nicht lesen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
             <source>does not belong into this session</source>
             <translation>gehört nicht in diese Sitzung</translation>
         </message>
@@ -8068,6 +8303,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/files/entries.py" />
             <source>is a damaged or incomplete zip: {detail}</source>
             <translation>ist ein beschädigtes oder unvollständiges ZIP: {detail}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
+            <source>a conic front face of the designed element is not exported; a plane one</source>
+            <translation>eine Kegelschnitt-Vorderseite des entworfenen Elements wird nicht exportiert; eine ebene</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/far_light.py" />
@@ -8156,8 +8396,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
-            <source>the {face} face is flat, so it has no file</source>
-            <translation>die Fläche „{face}“ ist eben, also hat sie keine Datei</translation>
+            <source>the entrance face is not freeform, so it has no file</source>
+            <translation>die Eintrittsfläche ist keine Freiformfläche und hat keine Datei</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
@@ -8195,46 +8435,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ist zu tief verschachtelt; höchstens {most} Ebenen werden aufbewahrt</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/json_text.py" />
-            <source>is given twice; each field can be there once</source>
-            <translation>ist doppelt angegeben; jedes Feld kann einmal da sein</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds a value that is NaN or infinite; finite values are needed</source>
-            <translation>enthält einen Wert, der NaN oder unendlich ist; endliche Werte sind nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
-            <translation>enthält einen Wert, der weder 0 noch 1 ist; falsch oder wahr ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds {dtype}; {kind} is needed</source>
-            <translation>enthält {dtype}; {kind} ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>has shape {found}; the scene needs {shape}</source>
-            <translation>hat die Form {found}; die Szene braucht {shape}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>is in Fortran order; C order is needed</source>
-            <translation>ist in Fortran-Reihenfolge; C-Reihenfolge ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>has {given} bytes of values; shape {shape} needs {size}</source>
-            <translation>hat {given} Bytes an Werten; die Form {shape} braucht {size}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>is no .npy array: its header cannot be read</source>
-            <translation>ist kein .npy-Array: der Kopf lässt sich nicht lesen</translation>
-        </message>
-        <message>
             <location filename="../../workbench/files/scene.py" />
             <source>is no scene: it has more than {most} bytes</source>
             <translation>ist keine Szene: mehr als {most} Bytes</translation>
@@ -8248,6 +8448,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/files/scene.py" />
             <source>{name!r} is no text and cannot be kept in one</source>
             <translation>{name!r} ist kein Text und lässt sich nicht in einem aufbewahren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is given twice; each field can be there once</source>
+            <translation>ist doppelt angegeben; jedes Feld kann einmal da sein</translation>
         </message>
         <message>
             <location filename="../../workbench/files/session.py" />
@@ -8306,13 +8511,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>By a coarse design of this task.</source>
-            <translation>Nach einem groben Entwurf dieser Aufgabe.</translation>
+            <source>From a coarse design of this task.</source>
+            <translation>Aus einem groben Entwurf dieser Aufgabe.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>No light arrives in a coarse design of this task.</source>
-            <translation>In einem groben Entwurf dieser Aufgabe kommt kein Licht an.</translation>
+            <source>No flux arrives in a coarse design of this task.</source>
+            <translation>In einem groben Entwurf dieser Aufgabe kommt kein Fluss an.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8331,23 +8536,23 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>By a coarse design of this task, with all losses of light and the size of the source.</source>
-            <translation>Nach einem groben Entwurf dieser Aufgabe, mit allen Lichtverlusten und der Größe der Quelle.</translation>
+            <source>From a coarse design of this task, with losses and source size.</source>
+            <translation>Aus einem groben Entwurf dieser Aufgabe, mit Verlusten und Quellgröße.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Blur of the light</source>
-            <translation>Unschärfe des Lichts</translation>
+            <source>Finest detail</source>
+            <translation>Feinstes Detail</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light comes from one point or direction.</source>
-            <translation>Das Licht kommt von einem Punkt oder aus einer Richtung.</translation>
+            <source>The source has no size.</source>
+            <translation>Die Quelle hat keine Ausdehnung.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{count:.0f} details fit side by side into the image.</source>
-            <translation>{count:.0f} Einzelheiten passen nebeneinander in das Bild.</translation>
+            <source>{across:.0f} × {up:.0f} dots in the image.</source>
+            <translation>{across:.0f} × {up:.0f} Punkte im Bild.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8366,8 +8571,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{law}: finer details cannot be sharp, and no ray tracer shows that.</source>
-            <translation>{law}: feinere Einzelheiten können nicht scharf sein, und keine Strahlrechnung zeigt das.</translation>
+            <source>{law}: limit of sharpness, which ray tracing does not include.</source>
+            <translation>{law}: Grenze der Schärfe, die Raytracing nicht enthält.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8376,33 +8581,33 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{slope:.0f}°, light turns by up to {turn:.0f}°</source>
+            <source>{slope:.0f}°, deflection up to {turn:.0f}°</source>
             <translation>{slope:.0f}°, Ablenkung bis {turn:.0f}°</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>light would have to turn by {turn:.0f}°</source>
-            <translation>das Licht müsste um {turn:.0f}° abgelenkt werden</translation>
+            <source>a deflection of {turn:.0f}° would be needed</source>
+            <translation>eine Ablenkung von {turn:.0f}° wäre nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The lens turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
-            <translation>Die Linse lenkt es um höchstens {most:.0f}° ab: ein kleineres Bild, mehr Abstand oder ein anderer Ort des Lichts hilft.</translation>
+            <source>The lens deflects by {most:.0f}° at most. Use a smaller image, more distance or another source position.</source>
+            <translation>Die Linse lenkt um höchstens {most:.0f}° ab. Ein kleineres Bild, mehr Abstand oder eine andere Quellposition verwenden.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The mirror turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
-            <translation>Der Spiegel lenkt es um höchstens {most:.0f}° ab: ein kleineres Bild, mehr Abstand oder ein anderer Ort des Lichts hilft.</translation>
+            <source>The mirror deflects by {most:.0f}° at most. Use a smaller image, more distance or another source position.</source>
+            <translation>Der Spiegel lenkt um höchstens {most:.0f}° ab. Ein kleineres Bild, mehr Abstand oder eine andere Quellposition verwenden.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{most:.0f}° is the most; so near to it much light is reflected.</source>
-            <translation>{most:.0f}° ist das Höchste; so nahe daran wird viel Licht reflektiert.</translation>
+            <source>Near the limit of {most:.0f}° much light is reflected.</source>
+            <translation>Nahe der Grenze von {most:.0f}° wird viel Licht reflektiert.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Up to {most:.0f}° would be possible.</source>
-            <translation>Bis {most:.0f}° wäre möglich.</translation>
+            <source>Limit of the deflection: {most:.0f}°.</source>
+            <translation>Grenze der Ablenkung: {most:.0f}°.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8526,8 +8731,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>All of it can be changed in the window.</source>
-            <translation>Alles davon lässt sich im Fenster ändern.</translation>
+            <source>Can be changed later in the window.</source>
+            <translation>Lässt sich später im Fenster ändern.</translation>
         </message>
         <message>
             <location filename="../../workbench/materials.py" />
@@ -8931,6 +9136,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
+            <source>{count} lines of light, each with its own refractive indices</source>
+            <translation>{count} Spektrallinien, jede mit eigenen Brechzahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
         </message>
@@ -9045,6 +9255,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/diffuser.py" />
+            <source>the diffuser</source>
+            <translation>der Diffusor</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/element.py" />
             <source>'auto' needs a target to choose for; numbers</source>
             <translation>'auto' braucht ein Ziel, um zu wählen; Zahlen</translation>
@@ -9106,6 +9321,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
+            <source>the entrance face</source>
+            <translation>die Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
             <source>a front face is designed together with the back face; 'bspline', not fixed</source>
             <translation>eine Vorderfläche wird zusammen mit der Rückfläche entworfen; 'bspline', nicht fest</translation>
         </message>
@@ -9158,6 +9378,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/scene/measured_source.py" />
             <source>'{file}' is none of these: {endings}</source>
             <translation>'{file}' ist keines von diesen: {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/mirror.py" />
+            <source>the mirror</source>
+            <translation>der Spiegel</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/part.py" />
@@ -9270,6 +9495,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{z:g} kann den Spiegel berühren oder hinter ihm liegen; weniger als {most:g}, der tiefste Wert, den er erreichen kann</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>zusammen mit einer Wellenlänge von {wavelength:g} µm angegeben; nur eines von beiden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} Linien sind angegeben; 1 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>alle Anteile des Flusses sind 0; mindestens einer über 0</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/stages.py" />
             <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
             <translation>sie lassen keine der {count} Iterationen für die Szene selbst; mehr als {least} insgesamt sind nötig</translation>
@@ -9296,48 +9536,78 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>the element is not upright, which {who} cannot take into account; 0</source>
+            <translation>das Element ist verkippt, was {who} nicht berücksichtigen kann; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>'diffuser', which {who} cannot take into account; none</source>
+            <translation>'diffuser', was {who} nicht berücksichtigen kann; keiner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>'{name}' is the name of another element; another name</source>
             <translation>'{name}' ist der Name eines anderen Elements; ein anderer Name</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>keine Fläche wird entworfen; eine Fläche der Form 'bspline'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>a second designed element; one element is designed</source>
-            <translation>ein zweites entworfenes Element; entworfen wird ein einziges Element</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>light leaves {name} at {angle:.0f} degrees from the z axis, too far for a far field; at most {most:g}, or a plane</source>
+            <translation>Licht verlässt {name} unter {angle:.0f} Grad zur z-Achse, zu viel für ein Fernfeld; höchstens {most:g}, oder eine Ebene</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
+            <translation>ein Empfänger bei z = {z:g} kann das Element {name} berühren; mehr als {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>a receiver at {place} may touch the element {name}, or gets none of its light; farther along the light, and across it</source>
+            <translation>ein Empfänger bei {place} kann das Element {name} berühren oder erhält kein Licht davon; weiter entlang des Lichts und quer dazu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>fixed B-spline faces are not traced yet; a conic face</source>
             <translation>feste B-Spline-Flächen werden noch nicht durchgerechnet; eine Kegelschnittfläche</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>a mirror that is not designed is not traced yet</source>
-            <translation>ein Spiegel, der nicht entworfen wird, wird noch nicht durchgerechnet</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as where it is turned by 180 degrees about its x</source>
+            <translation>Licht trifft {name} von hinten, unter {angle:.0f} Grad zu dessen z; weniger als 90, etwa nach einer Drehung um 180 Grad um dessen x</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>elements behind a mirror are not traced yet; none</source>
-            <translation>Elemente hinter einem Spiegel werden noch nicht durchgerechnet; keines</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
+            <translation>'{name}' steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>the first and the designed element stand upright on the axis; 0</source>
-            <translation>das erste und das entworfene Element stehen aufrecht auf der Achse; 0</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
+            <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; 'plane', oder {field}: 'gaussian'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>not parallel to the Lambertian diffuser {name}; its tilt</source>
+            <translation>nicht parallel zum Lambertschen Diffusor {name}; dessen Neigung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
             <translation>{z:g} ragt in {name} hinein; mindestens {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; one</source>
-            <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
+            <translation>{place} liegt nicht, wohin Licht von {name} geht; {by:g} weiter entlang dessen Achse</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />

@@ -4,117 +4,122 @@
     <context>
         <name>workbench</name>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;File</source>
             <translation>&amp;Fichier</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;New from example</source>
             <translation>Nouveau &amp;d'après un exemple</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>First lenses, twice as fine</source>
             <translation>Premières lentilles, deux fois plus fines</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Top hat: networks and starts</source>
             <translation>Disque uniforme : réseaux et points de départ</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Real lights</source>
             <translation>Sources réelles</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Flame and ball: magnifications</source>
             <translation>Flamme et ballon : grandissements</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Flame: point and extended source</source>
             <translation>Flamme : source ponctuelle et étendue</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Walls and streets</source>
             <translation>Murs et rues</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Two freeform faces</source>
             <translation>Deux faces de forme libre</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
+            <source>Several elements</source>
+            <translation>Plusieurs éléments</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>Derivative maps of a flat lens</source>
             <translation>Cartes de dérivées d'une lentille plane</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Open &amp;recent</source>
             <translation>Fichiers &amp;récents</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Edit</source>
             <translation>É&amp;dition</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Design</source>
             <translation>&amp;Conception</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Run</source>
             <translation>&amp;Exécution</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;View</source>
             <translation>&amp;Affichage</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Rays</source>
             <translation>Ra&amp;yons</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>F&amp;aces</source>
             <translation>F&amp;aces</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Save pict&amp;ure of 3D</source>
             <translation>&amp;Enregistrer l'image 3D</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Colours of light</source>
             <translation>Couleurs de la l&amp;umière</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>Th&amp;eme</source>
             <translation>&amp;Thème</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>La&amp;nguage</source>
             <translation>Lan&amp;gue</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>Aller &amp;à</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/menus.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Help</source>
             <translation>A&amp;ide</translation>
         </message>
@@ -280,6 +285,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>White light</source>
+            <translation>Lumière blanche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
+            <translation>Le polycarbonate dévie plus le bleu que le rouge ; voir les bords colorés de la photo prédite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Flame, magnification 1</source>
             <translation>Flamme, grandissement 1</translation>
         </message>
@@ -435,6 +450,76 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>LED with dome, freeform lens and cover plate</source>
+            <translation>LED avec dôme, lentille de forme libre et vitre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
+            <translation>La lentille est conçue avec le dôme devant et la vitre derrière ; voir les rayons.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Collimated LED and freeform plate</source>
+            <translation>LED collimatée et plaque de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
+            <translation>Une lentille du commerce collimate la lumière, une plaque mince forme la lettre ; voir ses bords flous.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Diffuser before the screen</source>
+            <translation>Diffuseur devant l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
+            <translation>Un film à 4 mm de l'écran rend la lettre floue ; voir la lentille compenser ce flou.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Diffuser behind the lens</source>
+            <translation>Diffuseur derrière la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
+            <translation>Un film qui diffuse de 0.3° rend flou sur 1 mm à l'écran ; comparer avec la photo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Fold mirror</source>
+            <translation>Miroir de renvoi</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
+            <translation>Un miroir plan dévie la lumière de 90° avant la lentille freeform ; voir l'axe replié.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror and lens</source>
+            <translation>Miroir et lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
+            <translation>Le miroir est conçu pour la lumière derrière une lentille du commerce ; voir où les rayons la traversent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Tilted lens</source>
+            <translation>Lentille inclinée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
+            <translation>La lentille est inclinée et décalée, et conçue dans cette position ; l'image reste droite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Degrees (3, 3), filter 3 × 3</source>
             <translation>Degrés (3, 3), filtre 3 × 3</translation>
         </message>
@@ -470,8 +555,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Begin a design: choose a job and answer its questions</source>
-            <translation>Commencer une conception : choisir une tâche et répondre à ses questions</translation>
+            <source>Begin a design: choose a job and enter its data</source>
+            <translation>Commencer une conception : choisir une tâche et entrer ses données</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -480,8 +565,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Choose an example by the picture of its light</source>
-            <translation>Choisir un exemple d'après l'image de sa lumière</translation>
+            <source>Choose an example by the picture of its target</source>
+            <translation>Choisir un exemple d'après l'image de sa cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -490,8 +575,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Open another window, with a design and a run of its own</source>
-            <translation>Ouvrir une autre fenêtre, avec sa propre conception et sa propre exécution</translation>
+            <source>Open another window with its own design and run</source>
+            <translation>Ouvrir une autre fenêtre avec sa propre conception et sa propre exécution</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -535,13 +620,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write the lens or its light for other programs</source>
-            <translation>Écrire la lentille ou sa lumière pour d'autres programmes</translation>
+            <source>Write the lens or its rays for other programs</source>
+            <translation>Écrire la lentille ou ses rayons pour d'autres programmes</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write the mirror or its light for other programs</source>
-            <translation>Écrire le miroir ou sa lumière pour d'autres programmes</translation>
+            <source>Write the mirror or its rays for other programs</source>
+            <translation>Écrire le miroir ou ses rayons pour d'autres programmes</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -550,8 +635,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write a finishing pass as G-code; what the cut leaves of the image is found before</source>
-            <translation>Écrire une passe de finition en G-code ; ce que l'usinage laisse de l'image est calculé avant</translation>
+            <source>Simulate a finishing pass and write it as G-code</source>
+            <translation>Simuler une passe de finition et l'écrire en G-code</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -560,8 +645,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Write scene, pictures, check and figures on some pages (HTML, PDF)</source>
-            <translation>Écrire scène, images, vérification et chiffres sur quelques pages (HTML, PDF)</translation>
+            <source>Write scene, pictures, check and figures as a report (HTML, PDF)</source>
+            <translation>Écrire scène, images, vérification et chiffres dans un rapport (HTML, PDF)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -570,8 +655,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the predicted photo of the screen: what a camera would see, in colour (PNG)</source>
-            <translation>Enregistrer la photo prédite de l'écran : ce que verrait un appareil, en couleur (PNG)</translation>
+            <source>Save the predicted colour photo of the screen (PNG)</source>
+            <translation>Enregistrer la photo couleur prédite de l'écran (PNG)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -600,8 +685,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go back to the file as it was saved; this can be undone</source>
-            <translation>Revenir au fichier enregistré ; peut être annulé</translation>
+            <source>Restore the saved file; Undo reverts</source>
+            <translation>Rétablir le fichier enregistré ; peut être annulé</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -610,7 +695,7 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the last change back</source>
+            <source>Undo the last change</source>
             <translation>Annuler la dernière modification</translation>
         </message>
         <message>
@@ -620,8 +705,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Make the change again</source>
-            <translation>Refaire la modification</translation>
+            <source>Redo the change</source>
+            <translation>Rétablir la modification</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -630,8 +715,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Make the picture on the clipboard the target</source>
-            <translation>Prendre l'image du presse-papiers pour cible</translation>
+            <source>Use the picture on the clipboard as the target</source>
+            <translation>Utiliser l'image du presse-papiers comme cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -640,8 +725,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Copy a picture of the plot that was clicked last, to paste it elsewhere</source>
-            <translation>Copier une image du dernier graphique cliqué, pour la coller ailleurs</translation>
+            <source>Copy a picture of the plot that was clicked last</source>
+            <translation>Copier une image du dernier graphique cliqué</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -650,8 +735,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)</source>
-            <translation>Enregistrer le dernier graphique cliqué : en image (PNG, SVG) ou ses valeurs (CSV)</translation>
+            <source>Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)</source>
+            <translation>Enregistrer le dernier graphique cliqué, en image (PNG, SVG) ou en nombres (CSV)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -660,13 +745,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the lens from nothing; one that is there gives way, and Undo brings it back</source>
-            <translation>Concevoir la lentille à partir de rien ; celle qui existe cède la place, Annuler la ramène</translation>
+            <source>Design from scratch. Replaces this lens; Undo restores it.</source>
+            <translation>Concevoir de zéro. Remplace cette lentille ; Annuler la rétablit.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the mirror from nothing; one that is there gives way, and Undo brings it back</source>
-            <translation>Concevoir le miroir à partir de rien ; celui qui existe cède la place, Annuler le ramène</translation>
+            <source>Design from scratch. Replaces this mirror; Undo restores it.</source>
+            <translation>Concevoir de zéro. Remplace ce miroir ; Annuler le rétablit.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -675,13 +760,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go on designing from the lens as it is, with as many more iterations</source>
-            <translation>Poursuivre à partir de la lentille actuelle, avec autant d'itérations de plus</translation>
+            <source>Continue the design of this lens with more iterations</source>
+            <translation>Poursuivre la conception de cette lentille avec d'autres itérations</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Go on designing from the mirror as it is, with as many more iterations</source>
-            <translation>Poursuivre à partir du miroir actuel, avec autant d'itérations de plus</translation>
+            <source>Continue the design of this mirror with more iterations</source>
+            <translation>Poursuivre la conception de ce miroir avec d'autres itérations</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -690,8 +775,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Hold the design; again to go on</source>
-            <translation>Suspendre la conception ; de nouveau pour reprendre</translation>
+            <source>Pause the design, or resume it</source>
+            <translation>Suspendre la conception ou la reprendre</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -710,18 +795,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Follow edits</source>
-            <translation>&amp;Suivre les modifications</translation>
+            <source>&amp;Live update</source>
+            <translation>Mise à &amp;jour en direct</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the lens anew after every edit, while no run goes on</source>
-            <translation>Concevoir la lentille à nouveau après chaque modification, hors exécution</translation>
+            <source>Update the lens after every edit, except during a run</source>
+            <translation>Mettre à jour la lentille après chaque modification, sauf pendant une exécution</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design the mirror anew after every edit, while no run goes on</source>
-            <translation>Concevoir le miroir à nouveau après chaque modification, hors exécution</translation>
+            <source>Update the mirror after every edit, except during a run</source>
+            <translation>Mettre à jour le miroir après chaque modification, sauf pendant une exécution</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -730,13 +815,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design a lens for each of several values of a field, and see all in a table</source>
-            <translation>Concevoir une lentille pour chacune de plusieurs valeurs d'un champ, et les voir toutes dans un tableau</translation>
+            <source>Design a lens for each of several values of a field</source>
+            <translation>Concevoir une lentille pour chacune de plusieurs valeurs d'un champ</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design a mirror for each of several values of a field, and see all in a table</source>
-            <translation>Concevoir un miroir pour chacune de plusieurs valeurs d'un champ, et les voir tous dans un tableau</translation>
+            <source>Design a mirror for each of several values of a field</source>
+            <translation>Concevoir un miroir pour chacune de plusieurs valeurs d'un champ</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -745,13 +830,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give the design task and lens of the run chosen in the dock Runs</source>
-            <translation>Donner à la conception la tâche et la lentille de l'exécution choisie dans le volet Exécutions</translation>
+            <source>Restore task and lens of the run selected in the dock Runs</source>
+            <translation>Rétablir la tâche et la lentille de l'exécution choisie dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give the design task and mirror of the run chosen in the dock Runs</source>
-            <translation>Donner à la conception la tâche et le miroir de l'exécution choisie dans le volet Exécutions</translation>
+            <source>Restore task and mirror of the run selected in the dock Runs</source>
+            <translation>Rétablir la tâche et le miroir de l'exécution choisie dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -760,8 +845,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the two runs chosen in the dock Runs beside each other: light, figures, fields</source>
-            <translation>Voir côte à côte les deux exécutions choisies dans le volet Exécutions : lumière, chiffres, champs</translation>
+            <source>Compare irradiance, figures and fields of the two runs selected in the dock Runs</source>
+            <translation>Comparer éclairement, chiffres et champs des deux exécutions choisies dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -770,8 +855,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Forget the runs chosen in the dock Runs</source>
-            <translation>Oublier les exécutions choisies dans le volet Exécutions</translation>
+            <source>Delete the runs selected in the dock Runs</source>
+            <translation>Supprimer les exécutions choisies dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -785,13 +870,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Trace the lens on show anew, with rays that its design never saw; again to cancel</source>
-            <translation>Tracer à nouveau la lentille affichée, avec des rayons que la conception n'a jamais vus ; de nouveau pour annuler</translation>
+            <source>Check this lens with an independent ray trace; again to cancel</source>
+            <translation>Vérifier cette lentille par un tracé de rayons indépendant ; de nouveau pour annuler</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Trace the mirror on show anew, with rays that its design never saw; again to cancel</source>
-            <translation>Tracer à nouveau le miroir affiché, avec des rayons que la conception n'a jamais vus ; de nouveau pour annuler</translation>
+            <source>Check this mirror with an independent ray trace; again to cancel</source>
+            <translation>Vérifier ce miroir par un tracé de rayons indépendant ; de nouveau pour annuler</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -800,13 +885,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show lens and screen whole</source>
-            <translation>Montrer toute la lentille et tout l'écran</translation>
+            <source>Fit lens and screen into the view</source>
+            <translation>Ajuster la lentille et l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show mirror and screen whole</source>
-            <translation>Montrer tout le miroir et tout l'écran</translation>
+            <source>Fit mirror and screen into the view</source>
+            <translation>Ajuster le miroir et l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -820,13 +905,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the lens as large as it can be</source>
-            <translation>Voir la lentille aussi grande que possible</translation>
+            <source>Fit the lens into the view</source>
+            <translation>Ajuster la lentille à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the mirror as large as it can be</source>
-            <translation>Voir le miroir aussi grand que possible</translation>
+            <source>Fit the mirror into the view</source>
+            <translation>Ajuster le miroir à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -835,8 +920,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>See the screen as large as it can be</source>
-            <translation>Voir l'écran aussi grand que possible</translation>
+            <source>Fit the screen into the view</source>
+            <translation>Ajuster l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -845,8 +930,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look at the 3D scene along x: light goes right</source>
-            <translation>Regarder la scène 3D selon x : la lumière va à droite</translation>
+            <source>View along x; light travels to the right</source>
+            <translation>Vue selon x ; la lumière va vers la droite</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -855,8 +940,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look at the 3D scene along y: light goes right</source>
-            <translation>Regarder la scène 3D selon y : la lumière va à droite</translation>
+            <source>View along y; light travels to the right</source>
+            <translation>Vue selon y ; la lumière va vers la droite</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -865,23 +950,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Look back along z from behind the screen</source>
-            <translation>Regarder en arrière selon z, depuis l'arrière de l'écran</translation>
+            <source>View along −z from behind the screen</source>
+            <translation>Vue selon −z depuis l'arrière de l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Shorten gaps</source>
-            <translation>&amp;Raccourcir les distances</translation>
+            <source>&amp;Compress distances</source>
+            <translation>C&amp;omprimer les distances</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw a far source and screen nearer, and a large screen smaller, to see the lens</source>
-            <translation>Dessiner plus près source et écran lointains, et plus petit un grand écran, pour voir la lentille</translation>
+            <source>Draw far elements nearer and a large screen smaller, to enlarge the lens</source>
+            <translation>Dessiner plus près ce qui est loin et plus petit un grand écran, pour agrandir la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw a far source and screen nearer, and a large screen smaller, to see the mirror</source>
-            <translation>Dessiner plus près source et écran lointains, et plus petit un grand écran, pour voir le miroir</translation>
+            <source>Draw far elements nearer and a large screen smaller, to enlarge the mirror</source>
+            <translation>Dessiner plus près ce qui est loin et plus petit un grand écran, pour agrandir le miroir</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -920,8 +1005,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Colours of light in the images and on the screen of the 3D scene</source>
-            <translation>Couleurs de la lumière dans les images et sur l'écran de la scène 3D</translation>
+            <source>Colour map of images and 3D screen</source>
+            <translation>Échelle de couleurs des images et de l'écran 3D</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -945,8 +1030,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show all windows light, dark, or as the system is</source>
-            <translation>Afficher toutes les fenêtres claires, sombres ou comme le système</translation>
+            <source>Light, dark or the system's theme for all windows</source>
+            <translation>Thème clair, sombre ou celui du système pour toutes les fenêtres</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -960,8 +1045,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Language of the window; the command line speaks English</source>
-            <translation>Langue de la fenêtre ; la ligne de commande parle anglais</translation>
+            <source>Language of the window; the command line is in English</source>
+            <translation>Langue de la fenêtre ; la ligne de commande est en anglais</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -995,8 +1080,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>By the part of a ray's light that arrives</source>
-            <translation>Selon la part de lumière du rayon qui arrive</translation>
+            <source>By the fraction of a ray's flux that arrives</source>
+            <translation>Selon la part du flux du rayon qui arrive</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1005,13 +1090,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens as glass or metal</source>
-            <translation>Faces de la lentille en verre ou en métal</translation>
+            <source>Draw faces of the lens as glass or metal</source>
+            <translation>Dessiner les faces de la lentille en verre ou en métal</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror as glass or metal</source>
-            <translation>Faces du miroir en verre ou en métal</translation>
+            <source>Draw faces of the mirror as glass or metal</source>
+            <translation>Dessiner les faces du miroir en verre ou en métal</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1020,13 +1105,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens from dark, low along z, to bright</source>
-            <translation>Faces de la lentille du sombre (bas selon z) au clair</translation>
+            <source>Colour faces of the lens by height along z: dark is low</source>
+            <translation>Colorer les faces de la lentille selon la hauteur en z : sombre est bas</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror from dark, low along z, to bright</source>
-            <translation>Faces du miroir du sombre (bas selon z) au clair</translation>
+            <source>Colour faces of the mirror by height along z: dark is low</source>
+            <translation>Colorer les faces du miroir selon la hauteur en z : sombre est bas</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1035,13 +1120,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the lens red where they are bowl-shaped towards +z, blue where humped</source>
-            <translation>Faces de la lentille rouges où elles sont creuses vers +z, bleues où elles sont bombées</translation>
+            <source>Colour faces of the lens by curvature: red is concave towards +z, blue convex</source>
+            <translation>Colorer les faces de la lentille selon la courbure : rouge concave vers +z, bleu convexe</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Faces of the mirror red where they are bowl-shaped towards +z, blue where humped</source>
-            <translation>Faces du miroir rouges où elles sont creuses vers +z, bleues où elles sont bombées</translation>
+            <source>Colour faces of the mirror by curvature: red is concave towards +z, blue convex</source>
+            <translation>Colorer les faces du miroir selon la courbure : rouge concave vers +z, bleu convexe</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1050,13 +1135,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light the fine shape of faces as if it were higher; the lens stays as it is</source>
-            <translation>Éclairer la forme fine des faces comme si elle était plus haute ; la lentille reste telle quelle</translation>
+            <source>Exaggerate the relief of faces in the 3D view; the lens is unchanged</source>
+            <translation>Exagérer le relief des faces dans la vue 3D ; la lentille est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light the fine shape of faces as if it were higher; the mirror stays as it is</source>
-            <translation>Éclairer la forme fine des faces comme si elle était plus haute ; le miroir reste tel quel</translation>
+            <source>Exaggerate the relief of faces in the 3D view; the mirror is unchanged</source>
+            <translation>Exagérer le relief des faces dans la vue 3D ; le miroir est inchangé</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1065,8 +1150,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw what is farther away smaller, instead of in parallel</source>
-            <translation>Dessiner plus petit ce qui est plus loin, au lieu d'une vue parallèle</translation>
+            <source>Perspective instead of parallel projection</source>
+            <translation>Perspective au lieu d'une projection parallèle</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1075,8 +1160,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Put the 3D scene on the clipboard</source>
-            <translation>Mettre la scène 3D dans le presse-papiers</translation>
+            <source>Copy a picture of the 3D scene to the clipboard</source>
+            <translation>Copier une image de la scène 3D dans le presse-papiers</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1115,8 +1200,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Mouse and arrow keys turn the 3D scene; click to pick</source>
-            <translation>Souris et flèches tournent la scène 3D ; un clic sélectionne</translation>
+            <source>Rotate the 3D scene by mouse or arrow keys; click to select</source>
+            <translation>Tourner la scène 3D à la souris ou aux flèches ; cliquer pour sélectionner</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1140,8 +1225,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Paint control points that a run must leave</source>
-            <translation>Peindre les points de contrôle qu'une exécution doit laisser</translation>
+            <source>Paint control points that runs must not change</source>
+            <translation>Peindre les points de contrôle que les exécutions ne doivent pas modifier</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1150,8 +1235,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source; Ctrl: along z</source>
-            <translation>Tirer la source ; Ctrl : selon z</translation>
+            <source>Drag the source; with Ctrl along z</source>
+            <translation>Faire glisser la source ; avec Ctrl selon z</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1160,18 +1245,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
-            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d'un polygone et double-cliquer. Échap quitte</translation>
+            <source>Drag a rectangle on an image, or click the corners of a polygon and double-click; drag edges to move them. Esc ends</source>
+            <translation>Tracer un rectangle sur une image, ou cliquer les coins d'un polygone puis double-cliquer ; les bords se déplacent. Échap termine</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Image as wide and high as the &amp;picture</source>
-            <translation>Image au format de la &amp;photo</translation>
+            <source>Use aspect of the &amp;picture</source>
+            <translation>Utiliser le ra&amp;pport de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Give screen or far field, and their pixels, the aspect of the target's picture</source>
-            <translation>Donner à l'écran ou au champ lointain, et à leurs pixels, le format de la photo cible</translation>
+            <source>Set size and pixels of the receiver to the aspect of the target's picture</source>
+            <translation>Régler taille et pixels du récepteur selon le rapport de l'image cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1180,8 +1265,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let light meet a second freeform face first, or a flat one again; the exit face stays</source>
-            <translation>Faire rencontrer à la lumière d'abord une seconde face de forme libre, ou de nouveau une plane ; la face de sortie reste</translation>
+            <source>Make the entrance face freeform, or flat again; the exit face is unchanged</source>
+            <translation>Rendre la face d'entrée de forme libre, ou plane à nouveau ; la face de sortie est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1190,13 +1275,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Turn the lens over, to sculpt or lock its other freeform face</source>
-            <translation>Retourner la lentille, pour sculpter ou verrouiller son autre face de forme libre</translation>
+            <source>Select the other freeform face of the lens for sculpting and locking</source>
+            <translation>Choisir l'autre face de forme libre de la lentille pour sculpter et verrouiller</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Turn the mirror over, to sculpt or lock its other freeform face</source>
-            <translation>Retourner le miroir, pour sculpter ou verrouiller son autre face de forme libre</translation>
+            <source>Select the other freeform face of the mirror for sculpting and locking</source>
+            <translation>Choisir l'autre face de forme libre du miroir pour sculpter et verrouiller</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1225,13 +1310,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Leave the whole lens as it is in runs</source>
-            <translation>Laisser toute la lentille telle quelle dans les exécutions</translation>
+            <source>Lock all control points of the lens in runs</source>
+            <translation>Verrouiller tous les points de contrôle de la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Leave the whole mirror as it is in runs</source>
-            <translation>Laisser tout le miroir tel quel dans les exécutions</translation>
+            <source>Lock all control points of the mirror in runs</source>
+            <translation>Verrouiller tous les points de contrôle du miroir</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1240,13 +1325,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let runs change the whole lens</source>
-            <translation>Laisser les exécutions changer toute la lentille</translation>
+            <source>Unlock all control points of the lens</source>
+            <translation>Déverrouiller tous les points de contrôle de la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Let runs change the whole mirror</source>
-            <translation>Laisser les exécutions changer tout le miroir</translation>
+            <source>Unlock all control points of the mirror</source>
+            <translation>Déverrouiller tous les points de contrôle du miroir</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1255,8 +1340,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Lock what is unlocked, and the reverse</source>
-            <translation>Verrouiller ce qui ne l'est pas, et inversement</translation>
+            <source>Lock unlocked control points, and unlock locked ones</source>
+            <translation>Verrouiller les points déverrouillés et inversement</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1275,8 +1360,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Put all docks where they stood at first</source>
-            <translation>Remettre tous les volets à leur place initiale</translation>
+            <source>Restore the initial arrangement of docks</source>
+            <translation>Rétablir la disposition initiale des panneaux</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1285,8 +1370,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the keyboard to the next pane</source>
-            <translation>Mener le clavier au volet suivant</translation>
+            <source>Move the keyboard focus to the next pane</source>
+            <translation>Donner le focus au panneau suivant</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1295,8 +1380,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Take the keyboard to the pane before</source>
-            <translation>Mener le clavier au volet précédent</translation>
+            <source>Move the keyboard focus to the previous pane</source>
+            <translation>Donner le focus au panneau précédent</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1305,8 +1390,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Show this pane and take the keyboard there</source>
-            <translation>Montrer ce volet et y mener le clavier</translation>
+            <source>Show this pane and focus it</source>
+            <translation>Afficher ce panneau et lui donner le focus</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1410,8 +1495,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>All keys, to be found by name or by key</source>
-            <translation>Toutes les touches, à trouver par nom ou par touche</translation>
+            <source>All keyboard shortcuts, with search</source>
+            <translation>Tous les raccourcis clavier, avec recherche</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1430,8 +1515,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>All that can be done, here and in a shell, and what has been measured</source>
-            <translation>Tout ce qui est possible, ici et dans un terminal, et ce qui a été mesuré</translation>
+            <source>Manual of window, command line and methods</source>
+            <translation>Manuel de la fenêtre, de la ligne de commande et des méthodes</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1440,323 +1525,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>What this program is</source>
-            <translation>Ce qu'est ce programme</translation>
+            <source>About this program</source>
+            <translation>À propos de ce programme</translation>
         </message>
         <message>
-            <location filename="../../ui/check/check.py" />
-            <source>The light of this design is still being traced. Try again in a moment.</source>
-            <translation>La lumière de cette conception est encore en cours de tracé. Réessayer dans un instant.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>checking…</source>
-            <translation>vérification en cours…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>vérification… {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Check failed</source>
-            <translation>Échec de la vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Checked error {verified}</source>
-            <translation>Erreur vérifiée {verified}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
-            <translation>Vérification avec {rays:,} rayons nouveaux : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec la dispersion des rayons {relative_l2:.2f} ± {noise:.2f} %, coût {loss} ; {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/check.py" />
-            <source>check</source>
-            <translation>vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>F8 traces what is on show anew, with rays that its design never saw.</source>
-            <translation>F8 trace à nouveau ce qui est affiché, avec des rayons que la conception n'a jamais vus.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>check failed</source>
-            <translation>échec de la vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells and random rays trace the same light by different means. Where they differ by more than noise and error bounds explain, one of them is wrong.</source>
-            <translation>Cellules et rayons aléatoires tracent la même lumière par des moyens différents. S'ils diffèrent de plus que le bruit et les bornes d'erreur n'expliquent, l'un des deux est faux.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>no deterministic figure</source>
-            <translation>pas de valeur déterministe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The error is by random rays alone, whose noise is in the intervals below.</source>
-            <translation>L'erreur vient des seuls rayons aléatoires, dont le bruit figure dans les intervalles ci-dessous.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>optimiser and check</source>
-            <translation>optimiseur et vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The image and the efficiency of the design differ from the check by more than errors explain: the optimiser traces fewer rays.</source>
-            <translation>L'image et le rendement de la conception diffèrent de la vérification de plus que les erreurs n'expliquent : l'optimiseur trace moins de rayons.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>verified error</source>
-            <translation>erreur vérifiée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 error of image and target, by cells and without random rays: what the optic itself is off.</source>
-            <translation>Erreur L2 relative entre image et cible, par cellules et sans rayons aléatoires : l'écart de l'optique elle-même.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>it is surely</source>
-            <translation>elle est sûrement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where that error lies, by a bound from two sizes of cells.</source>
-            <translation>Où se situe cette erreur, par une borne tirée de deux tailles de cellules.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells of the entrance face whose light is spread over what they cover there.</source>
-            <translation>Cellules de la face d'entrée dont la lumière est répartie sur ce qu'elles y couvrent.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>error by independent images</source>
-            <translation>erreur par images indépendantes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Cells would have to be finer than time allows: the error, and where it lies with 95 % confidence, are from pairs of images by random rays: their scatter has no mean.</source>
-            <translation>Les cellules devraient être plus fines que le temps ne le permet : l'erreur, et où elle se situe avec 95 % de confiance, viennent de paires d'images par rayons aléatoires : leur dispersion est de moyenne nulle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>random rays are off by</source>
-            <translation>les rayons aléatoires s'écartent de</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 difference of the two images: the second opinion. About once the noise of the rays is what chance alone makes.</source>
-            <translation>Différence L2 relative des deux images : le second avis. Environ une fois le bruit des rayons : le seul hasard.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>relative L2 error</source>
-            <translation>erreur L2 relative</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter of the rays from pixel to pixel is in it; more rays make it smaller.</source>
-            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme. La dispersion des rayons d'un pixel à l'autre y est ; plus de rayons la réduisent.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>95 % of other rays</source>
-            <translation>95 % d'autres rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where the error with scatter lies for as many other rays.</source>
-            <translation>Où se situe l'erreur avec dispersion pour autant d'autres rayons.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>without ray noise</source>
-            <translation>sans bruit des rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The same error without the scatter of the rays: what the optic itself is off. With &lt; if so few rays cannot tell it from none.</source>
-            <translation>La même erreur sans la dispersion des rayons : l'écart de l'optique elle-même. Avec &lt; si si peu de rayons ne la distinguent pas d'une erreur nulle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>95 % confidence</source>
-            <translation>confiance à 95 %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Where the error of the optic itself lies.</source>
-            <translation>Où se situe l'erreur de l'optique elle-même.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>loss of the paper</source>
-            <translation>coût de l'article</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>The norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
-            <translation>La norme de la différence entre image et cible, chacune divisée par sa somme, sur la racine du nombre de pixels.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>PSNR</source>
-            <translation>PSNR</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
-            <translation>Rapport signal sur bruit de crête, par rapport à la crête de la cible : plus grand est mieux.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>SSIM</source>
-            <translation>SSIM</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
-            <translation>Similarité structurelle moyenne dans des fenêtres de 11 × 11 pixels : 1 pour des images égales.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Pearson's coefficient of image and target over the pixels: 1 for images of one shape.</source>
-            <translation>Coefficient de Pearson de l'image et de la cible sur les pixels : 1 pour des images de même forme.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Least over mean of irradiance / target where the target is lit, at half its peak or more: 1 is even, 0 has a dark pixel.</source>
-            <translation>Minimum sur moyenne de éclairement / cible là où la cible est éclairée, à la moitié de sa crête ou plus : 1 est uniforme, 0 a un pixel sombre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
-            <translation>(éclairé − noir) / (éclairé + noir) des éclairements moyens ; noir va jusqu'à un centième de la crête de la cible. 1 est un noir parfait.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Part of the emitted light that makes the image.</source>
-            <translation>Part de la lumière émise qui forme l'image.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>meets the face again</source>
-            <translation>rencontre à nouveau la face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Light that comes back to the face which it leaves, as in a deep bowl. Image and efficiency count it as if nothing were in its way.</source>
-            <translation>Lumière qui revient à la face qu'elle quitte, comme dans un bol profond. Image et rendement la comptent comme si rien ne la gênait.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>comes through the screen</source>
-            <translation>traverse l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Light that the screen keeps from the mirror. Image and efficiency count it as if the screen were not in its way; a screen beside the axis is not.</source>
-            <translation>Lumière que l'écran cache au miroir. Image et rendement la comptent comme si l'écran ne gênait pas ; un écran à côté de l'axe ne gêne pas.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>off the optimiser's image</source>
-            <translation>écart à l'image de l'optimiseur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Relative L2 difference to the image that the optimiser sees. Its filter and the scatter of these rays are in it.</source>
-            <translation>Différence L2 relative à l'image que voit l'optimiseur. Son filtre et la dispersion de ces rayons y sont.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of the image; a quarter as many more are traced for the error without scatter.</source>
-            <translation>Rayons de l'image ; un quart de plus est tracé pour l'erreur sans dispersion.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>cells</source>
-            <translation>cellules</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>correlation</source>
-            <translation>corrélation</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>uniformity</source>
-            <translation>uniformité</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>contrast</source>
-            <translation>contraste</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>efficiency</source>
-            <translation>rendement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>rays</source>
-            <translation>rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Part of the emitted light that falls on the region, and its darkest and brightest pixel over the mean: 1 is even.</source>
-            <translation>Part de la lumière émise qui tombe sur la région, et ses pixels le plus sombre et le plus clair sur la moyenne : 1 est uniforme.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Figures of the check</source>
-            <translation>Chiffres de la vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Copy</source>
-            <translation>Copier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of a check</source>
-            <translation>Rayons d'une vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Rays of a check; four times as many halve their scatter</source>
-            <translation>Rayons d'une vérification ; quatre fois plus divisent leur dispersion par deux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>{rays} million rays</source>
-            <translation>{rays} millions de rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>Put all figures on the clipboard, a tab between name and value</source>
-            <translation>Mettre tous les chiffres dans le presse-papiers, une tabulation entre nom et valeur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source>image {number}: {name}</source>
-            <translation>image {number} : {name}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/check/figures.py" />
-            <source> Out of date: these figures are of the design before.</source>
-            <translation> Périmé : ces chiffres sont ceux de la conception précédente.</translation>
+            <location filename="../../ui/background.py" />
+            <source>The {work} failed: {error}</source>
+            <translation>Échec ({work}) : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -1764,119 +1539,439 @@
             <translation>Barre d'outils</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is one freeform face: Freeform entrance face gives a lens a second one</source>
-            <translation>Il y a une face de forme libre : « Face d'entrée de forme libre » en donne une seconde à une lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Not while a run goes on: it works on the design as it was when it began. Stop it first</source>
-            <translation>Pas pendant une exécution : elle travaille sur la conception telle qu'au début. L'arrêter d'abord</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Flat &amp;entrance face</source>
-            <translation>Face d'entrée &amp;plane</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Freeform &amp;entrance face</source>
-            <translation>Face d'entrée d&amp;e forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>&amp;Start over</source>
-            <translation>Reco&amp;mmencer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>&amp;Resume</source>
-            <translation>R&amp;eprendre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is no lens yet: Start designs one</source>
-            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>There is no mirror yet: Start designs one</source>
-            <translation>Il n'y a pas encore de miroir : Démarrer en conçoit un</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>the best lens so far</source>
-            <translation>la meilleure lentille jusqu'ici</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>the best mirror so far</source>
-            <translation>le meilleur miroir jusqu'ici</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>Takes {lens}</source>
-            <translation>Utilise : {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>A lens has one freeform face</source>
-            <translation>Une lentille a une face de forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/availability.py" />
-            <source>A mirror has one freeform face</source>
-            <translation>Un miroir a une face de forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/language_choice.py" />
+            <location filename="../../ui/commands/choices.py" />
             <source>The language changes at the next start.</source>
             <translation>La langue change au prochain démarrage.</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Command palette</source>
             <translation>Palette de commandes</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
-            <source>Type parts of a command's name</source>
-            <translation>Saisir des parties du nom d'une commande</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>Search commands</source>
+            <translation>Rechercher des commandes</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/palette.py" />
-            <source>No command has all of this in its name: {words}</source>
-            <translation>Aucune commande n'a tout cela dans son nom : {words}</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>No command found: {words}</source>
+            <translation>Aucune commande trouvée : {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Keyboard shortcuts</source>
             <translation>Raccourcis clavier</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
-            <source>Find by a part of the name, or by the key</source>
-            <translation>Chercher par une partie du nom, ou par la touche</translation>
+            <location filename="../../ui/commands/command_search.py" />
+            <source>Search by name or key</source>
+            <translation>Rechercher par nom ou touche</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Find a shortcut</source>
             <translation>Chercher un raccourci</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Command</source>
             <translation>Commande</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/shortcuts.py" />
+            <location filename="../../ui/commands/command_search.py" />
             <source>Key</source>
             <translation>Touche</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>Side view of the job</source>
+            <translation>Vue de côté de la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>From the side</source>
+            <translation>De côté</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>From above</source>
+            <translation>D'en haut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>, heights × {across:.1f}</source>
+            <translation>, hauteurs × {across:.1f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/drawing.py" />
+            <source>, to scale</source>
+            <translation>, à l'échelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/gallery.py" />
+            <source>New from example</source>
+            <translation>Nouveau d'après un exemple</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/gallery.py" />
+            <source>Examples</source>
+            <translation>Exemples</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Manual</source>
+            <translation>Manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Search</source>
+            <translation>Rechercher</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Search the manual</source>
+            <translation>Rechercher dans le manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Find pages with all words; Return shows the next match</source>
+            <translation>Trouver les pages contenant tous les mots ; Entrée montre l'occurrence suivante</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Pages of the manual</source>
+            <translation>Pages du manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>No page found: {words}</source>
+            <translation>Aucune page trouvée : {words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>New here? A tour of {count} steps explains the window. Help &gt; Tour starts it at any time.</source>
+            <translation>Nouveau ? Une visite en {count} étapes explique la fenêtre. Aide &gt; Visite guidée la lance à tout moment.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>Start tour</source>
+            <translation>Commencer la visite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>About {title}</source>
+            <translation>À propos de {title}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/help.py" />
+            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Designs freeform lenses and mirrors that form a given irradiance.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Conçoit des lentilles et des miroirs de forme libre qui produisent un éclairement donné.&lt;/p&gt;&lt;p&gt;Licence MIT&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_form.py" />
+            <source>picture</source>
+            <translation>image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_form.py" />
+            <source>file of light</source>
+            <translation>fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>outlook</source>
+            <translation>aperçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Best possible image</source>
+            <translation>Meilleure image possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>The source size blurs the image of any lens</source>
+            <translation>La taille de la source rend floue l'image de toute lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Best possible</source>
+            <translation>Au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Computing the estimate…</source>
+            <translation>Calcul de l'estimation…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Outdated figures.</source>
+            <translation>Chiffres obsolètes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/outlook.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Estimation… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>New design</source>
+            <translation>Nouvelle conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Jobs</source>
+            <translation>Tâches</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Commencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Open a file…</source>
+            <translation>&amp;Ouvrir un fichier…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>E&amp;xamples…</source>
+            <translation>E&amp;xemples…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Impossible de commencer : {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>Picture</source>
+            <translation>Motif</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>File of light</source>
+            <translation>Fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs and checks a lens for each value, or each pair of values of two fields. The folder gets the sessions and a table (CSV, JSON). Finished designs are skipped.</source>
+            <translation>Conçoit et vérifie une lentille pour chaque valeur, ou chaque paire de valeurs de deux champs. Le dossier reçoit les sessions et un tableau (CSV, JSON). Les conceptions terminées sont ignorées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Verified error</source>
+            <translation>Erreur vérifiée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Light</source>
+            <translation>Lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Iterations</source>
+            <translation>Itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Seconds</source>
+            <translation>Secondes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Sweep</source>
+            <translation>Série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Folder</source>
+            <translation>Dossier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Progress of the sweep</source>
+            <translation>Progression de la série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>&amp;Open design</source>
+            <translation>&amp;Ouvrir la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Open the session of the selected row</source>
+            <translation>Ouvrir la session de la ligne choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Choose a folder for the designs.</source>
+            <translation>Choisir un dossier pour les conceptions.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Chosen at the start</source>
+            <translation>Choisi au démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Choose the folder</source>
+            <translation>Choisir le dossier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>sweep</source>
+            <translation>série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Stop</source>
+            <translation>Arrêter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} conceptions sur {wanted}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs of the sweep</source>
+            <translation>Conceptions de la série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
+            <translation>Séparer les valeurs par des virgules : 1, 2.5, 3 ; plages comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Field</source>
+            <translation>Champ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Second field</source>
+            <translation>Second champ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Values of {field}</source>
+            <translation>Valeurs de {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>none</source>
+            <translation>sans</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>now {value}</source>
+            <translation>actuellement {value}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep_form.py" />
+            <source>Verified error over the values</source>
+            <translation>Erreur vérifiée selon les valeurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Describe the task</source>
+            <translation>Décrire la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Enter target image, lens, source and screen here. An impossible value is refused beside its field, with the allowed range. Drop a picture onto the window to use it as the target.</source>
+            <translation>Entrez ici l'image cible, la lentille, la source et l'écran. Une valeur impossible est refusée à côté de son champ, avec la plage permise. Déposez une image sur la fenêtre pour en faire la cible.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it with the best lens so far, Continue resumes from that lens.</source>
+            <translation>Démarrer (F5) conçoit la lentille. Pause (F6) suspend l'exécution, Arrêter (F7) la termine avec la meilleure lentille, Continuer reprend à partir d'elle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
+            <translation>Lentille, rayons et écran. Glisser pour tourner, Maj-glisser pour déplacer, molette pour zoomer, ou flèches, + et −. Ctrl+1 ajuste la lentille, Ctrl+2 l'écran, Ctrl+0 tout ; Ctrl+D comprime les distances.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Irradiance on the screen</source>
+            <translation>Éclairement sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Flux per area, updated during the run. The error beside it: red is too much light, blue too little. Both images zoom and move together.</source>
+            <translation>Flux par surface, actualisé pendant l'exécution. À côté l'erreur : rouge trop de lumière, bleu trop peu. Les deux images zooment et se déplacent ensemble.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Course of the run</source>
+            <translation>Déroulement de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>The loss falls while the lens improves. The slider below shows earlier iterations; you can continue from any of them.</source>
+            <translation>La perte baisse quand la lentille s'améliore. Le curseur montre les itérations précédentes ; on peut continuer à partir de chacune.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Undo and recovery</source>
+            <translation>Annulation et récupération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step. Unsaved work is backed up every minute.</source>
+            <translation>Chaque modification et chaque exécution est une étape. Annuler avec Ctrl+Z, ou cliquer une étape. Le travail non enregistré est sauvegardé chaque minute.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Commands</source>
+            <translation>Commandes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>Ctrl+Shift+P finds a command by parts of its name. File &gt; New from gallery shows the examples, File &gt; Export writes the lens for other programs.</source>
+            <translation>Ctrl+Maj+P trouve une commande d'après des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre les exemples, Fichier &gt; Exporter écrit la lentille pour d'autres programmes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Terminer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Back</source>
+            <translation>&amp;Retour</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>End the tour (Esc); Help &gt; Tour starts it again</source>
+            <translation>Terminer la visite (Échap) ; Aide &gt; Visite guidée la relance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fini</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/tour.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Suivant</translation>
+        </message>
+        <message>
             <location filename="../../ui/document/document.py" />
-            <source>new reading of the image</source>
-            <translation>nouvelle lecture de l'image</translation>
+            <source>reload of the image</source>
+            <translation>rechargement de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/document/document.py" />
@@ -1887,6 +1982,56 @@
             <location filename="../../ui/document/document.py" />
             <source>revert to the file</source>
             <translation>retour au fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>The file has changed</source>
+            <translation>Le fichier a changé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Another program has changed {name}.</source>
+            <translation>Un autre programme a modifié {name}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Overwrite discards its changes. Reload discards yours; Undo restores them.</source>
+            <translation>Écraser abandonne ses modifications. Recharger abandonne les vôtres ; Annuler les rétablit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Overwrite</source>
+            <translation>&amp;Écraser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Reload</source>
+            <translation>&amp;Recharger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>The file is missing</source>
+            <translation>Le fichier manque</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name} was deleted, moved or renamed.</source>
+            <translation>{name} a été supprimé, déplacé ou renommé.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Its folder is missing too: {parent}</source>
+            <translation>Son dossier manque aussi : {parent}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>&amp;Save there again</source>
+            <translation>&amp;Enregistrer à nouveau là</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1905,13 +2050,13 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{path} is no longer there; it was taken off the list.</source>
-            <translation>{path} n'existe plus ; il a été retiré de la liste.</translation>
+            <source>{path} no longer exists; it was removed from the list.</source>
+            <translation>{path} n'existe plus ; il a été retiré de la liste.</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name}: the name of a design ends in {ending}</source>
-            <translation>{name} : le nom d'une conception se termine par {ending}</translation>
+            <source>{name}: a design file ends in {ending}</source>
+            <translation>{name} : un fichier de conception se termine par {ending}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1930,7 +2075,7 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name} is open in another window: choose another name.</source>
+            <source>{name} is open in another window. Choose another name.</source>
             <translation>{name} est ouvert dans une autre fenêtre : choisir un autre nom.</translation>
         </message>
         <message>
@@ -1949,84 +2094,34 @@
             <translation>{name} enregistré, {size}{words}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>The file has changed</source>
-            <translation>Le fichier a changé</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Another program has changed {name} since it was last read or saved here.</source>
-            <translation>Un autre programme a modifié {name} depuis sa dernière lecture ou son dernier enregistrement ici.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Overwrite loses what the file holds now. Reload shows it in place of your design; Undo brings your design back.</source>
-            <translation>Écraser perd ce que le fichier contient à présent. Recharger le montre à la place de votre conception ; Annuler la ramène.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Overwrite</source>
-            <translation>&amp;Écraser</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Reload</source>
-            <translation>&amp;Recharger</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>The file is gone</source>
-            <translation>Le fichier a disparu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>{name} has been deleted, moved or renamed since it was last saved here.</source>
-            <translation>{name} a été supprimé, déplacé ou renommé depuis son dernier enregistrement ici.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>&amp;Save there again</source>
-            <translation>&amp;Enregistrer à nouveau là</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/changed.py" />
-            <source>Its folder, {parent}, is gone, too.</source>
-            <translation>Son dossier, {parent}, a disparu aussi.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>{name} is a file of light, not a design.</source>
             <translation>{name} est un fichier de lumière, pas une conception.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Use as light source</source>
             <translation>Utiliser comme source de lumière</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>{name} is a picture, not a design.</source>
             <translation>{name} est une image, pas une conception.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Use as target</source>
             <translation>Utiliser comme cible</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>There is no picture on the clipboard.</source>
             <translation>Il n'y a pas d'image dans le presse-papiers.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/chosen_files.py" />
+            <location filename="../../ui/files/dialogs.py" />
             <source>Target image</source>
             <translation>Image cible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/chosen_files.py" />
-            <source>File of light</source>
-            <translation>Fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2040,18 +2135,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>One file is still being written; export the next after it.</source>
-            <translation>Un fichier est encore en cours d'écriture ; exporter le suivant après.</translation>
+            <source>A file is still being written. Export the next one after it.</source>
+            <translation>Un fichier est en cours d'écriture. Exportez le suivant ensuite.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>{name} is being written…</source>
+            <source>Writing {name}…</source>
             <translation>Écriture de {name}…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Cancel</source>
-            <translation>Annuler</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2060,8 +2150,8 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file is written.</source>
-            <translation>Aucun fichier n'est écrit.</translation>
+            <source>No file was written.</source>
+            <translation>Aucun fichier n'a été écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2069,77 +2159,42 @@
             <translation>{format} en {unit}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/gallery.py" />
-            <source>New from example</source>
-            <translation>Nouveau d'après un exemple</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Web page (*.html)</source>
+            <translation>Page web (*.html)</translation>
         </message>
         <message>
-            <location filename="../../ui/files/gallery.py" />
-            <source>Examples</source>
-            <translation>Exemples</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Document (*.pdf)</source>
+            <translation>Document (*.pdf)</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Unsaved work</source>
-            <translation>Travail non enregistré</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>report</source>
+            <translation>rapport</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>{name} had unsaved changes when the workbench was asked to end.</source>
-            <translation>{name} avait des modifications non enregistrées quand le programme a été terminé.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>A report is still being written. Start the next one after it.</source>
+            <translation>Un rapport est en cours d'écriture. Lancez le suivant ensuite.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>The workbench was not closed. Unsaved changes to {name} were kept.</source>
-            <translation>Le programme n'a pas été fermé. Les modifications non enregistrées de {name} ont été gardées.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Writing {file}, with a check of {lens}…</source>
+            <translation>Écriture de {file}, avec vérification : {lens}…</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
-            <translation>Gardées le {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Report {lens}</source>
+            <translation>Rapport : {lens}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>&amp;Recover</source>
-            <translation>&amp;Récupérer</translation>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No report was written.</source>
+            <translation>Aucun rapport n'a été écrit.</translation>
         </message>
         <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>&amp;Discard</source>
-            <translation>&amp;Abandonner</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/left_behind.py" />
-            <source>Ask &amp;later</source>
-            <translation>Demander p&amp;lus tard</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>There is no photo of this lens yet; save it once it is seen.</source>
-            <translation>Il n'y a pas encore de photo de cette lentille ; l'enregistrer dès qu'on la voit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>{design} photo</source>
-            <translation>{design} photo</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>Picture ({endings})</source>
-            <translation>Image ({endings})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>Save predicted photo</source>
-            <translation>Enregistrer la photo prédite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
-            <source>The lens has changed since; save the photo of the new one.</source>
-            <translation>La lentille a changé depuis ; enregistrer la photo de la nouvelle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/photo_picture.py" />
+            <location filename="../../ui/files/exporter.py" />
             <source>{path} is written.</source>
             <translation>{path} est écrit.</translation>
         </message>
@@ -2165,6 +2220,11 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
+            <source>Picture ({endings})</source>
+            <translation>Image ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
             <source>plot</source>
             <translation>graphique</translation>
         </message>
@@ -2185,13 +2245,83 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>There is no plot to be seen; View shows the docks of all plots.</source>
-            <translation>Aucun graphique n'est visible ; Affichage montre les volets de tous les graphiques.</translation>
+            <source>No plot is visible. The View menu shows the docks of plots.</source>
+            <translation>Aucun graphique n'est visible. Le menu Affichage montre leurs panneaux.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>One plot is still being written; save the next after it.</source>
-            <translation>Un graphique est encore en cours d'écriture ; enregistrer le suivant après.</translation>
+            <source>A plot is still being written. Save the next one after it.</source>
+            <translation>Un graphique est en cours d'écriture. Enregistrez le suivant ensuite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The photo is not predicted yet. Save it when it is shown.</source>
+            <translation>La photo n'est pas encore prédite. Enregistrez-la quand elle s'affiche.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{design} photo</source>
+            <translation>{design} photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save predicted photo</source>
+            <translation>Enregistrer la photo prédite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The lens has changed. Save the photo of the new one.</source>
+            <translation>La lentille a changé. Enregistrez la photo de la nouvelle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A picture of the 3D scene is on the clipboard.</source>
+            <translation>Une image de la scène 3D est dans le presse-papiers.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save picture of 3D</source>
+            <translation>Enregistrer l'image 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it.</source>
+            <translation>La scène 3D est masquée. Affichage &gt; Scène 3D la montre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>{name} had unsaved changes when the program was told to end.</source>
+            <translation>{name} avait des modifications non enregistrées à la fermeture du programme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>The program ended unexpectedly. Unsaved changes to {name} were kept.</source>
+            <translation>Le programme s'est terminé de façon inattendue. Les modifications de {name} ont été conservées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
+            <translation>Gardées le {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Unsaved work</source>
+            <translation>Travail non enregistré</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>&amp;Recover</source>
+            <translation>&amp;Récupérer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>&amp;Discard</source>
+            <translation>&amp;Abandonner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Ask &amp;later</source>
+            <translation>Demander p&amp;lus tard</translation>
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
@@ -2200,408 +2330,98 @@
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
-            <source>Unsaved work cannot be kept for a recovery. {reason}</source>
-            <translation>Le travail non enregistré ne peut être gardé pour une récupération. {reason}</translation>
+            <source>Unsaved work cannot be backed up. {reason}</source>
+            <translation>Le travail non enregistré ne peut pas être sauvegardé. {reason}</translation>
         </message>
         <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Web page (*.html)</source>
-            <translation>Page web (*.html)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Document (*.pdf)</source>
-            <translation>Document (*.pdf)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>report</source>
-            <translation>rapport</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>One report is still being written; ask for the next after it.</source>
-            <translation>Un rapport est encore en cours d'écriture ; demander le suivant après.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>{file} is being written, with a check of {lens}…</source>
-            <translation>Écriture de {file}, avec une vérification ({lens})…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Report {lens}</source>
-            <translation>Rapport : {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>No report is written.</source>
-            <translation>Aucun rapport n'est écrit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>A picture of the 3D scene is on the clipboard.</source>
-            <translation>Une image de la scène 3D est dans le presse-papiers.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>{path} is written, {width} × {height} pixels.</source>
-            <translation>{path} est écrit, {width} × {height} pixels.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>Save picture of 3D</source>
-            <translation>Enregistrer l'image 3D</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/scene_pictures.py" />
-            <source>The 3D scene is hidden; View &gt; 3D scene shows it.</source>
-            <translation>La scène 3D est cachée ; Affichage &gt; Scène 3D la montre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>New here? A tour of {count} steps shows what is where. Help &gt; Tour begins it at any time.</source>
-            <translation>Première visite ? Un tour en {count} étapes montre où tout se trouve. Aide &gt; Visite guidée le lance à tout moment.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>Show me around</source>
-            <translation>Faire la visite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>About {title}</source>
-            <translation>À propos de {title}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/help.py" />
-            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Shapes a freeform lens until it throws the wanted image of light.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Façonne une lentille de forme libre jusqu'à ce qu'elle projette l'image de lumière voulue.&lt;/p&gt;&lt;p&gt;Licence MIT&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Manual</source>
-            <translation>Manuel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Search</source>
-            <translation>Rechercher</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Search the manual</source>
-            <translation>Rechercher dans le manuel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Words that a page must hold; Return goes to the next place</source>
-            <translation>Mots qu'une page doit contenir ; Entrée va à l'endroit suivant</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>Pages of the manual</source>
-            <translation>Pages du manuel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/manual.py" />
-            <source>No page has all of this: {words}</source>
-            <translation>Aucune page ne contient tout cela : {words}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Describe the task</source>
-            <translation>Décrire la tâche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Here you say what you have and what you want: the image of light, the lens, the source, the screen. What is not possible is refused beside the field, with what would be allowed. Any picture dropped onto the window becomes the target.</source>
-            <translation>Ici se dit ce qu'on a et ce qu'on veut : l'image de lumière, la lentille, la source, l'écran. L'impossible est refusé à côté du champ, avec ce qui serait permis. Toute image déposée sur la fenêtre devient la cible.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Start</source>
-            <translation>Démarrer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop (F7) keeps the best lens so far, Continue goes on from there.</source>
-            <translation>Démarrer (F5) façonne la lentille jusqu'à ce que sa lumière suive la cible. Pause (F6) suspend, Arrêter (F7) garde la meilleure lentille, Continuer repart de là.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Watch the light</source>
-            <translation>Regarder la lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer.</source>
-            <translation>Lentille, rayons et écran. Tirer tourne, Maj et tirer déplace, la molette zoome ; ou les flèches, + et −. Ctrl+1 montre la lentille, Ctrl+2 l'écran, Ctrl+0 à nouveau tout ; Ctrl+D dessine plus près un écran lointain.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>See what reaches the screen</source>
-            <translation>Voir ce qui atteint l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Flux per area, live. Below it what is still wrong: too much light is red, too little is blue. Both zoom and move together.</source>
-            <translation>Le flux par surface, en direct. À côté, ce qui ne va pas encore : trop de lumière en rouge, trop peu en bleu. Les deux zooment et se déplacent ensemble.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Look back</source>
-            <translation>Regarder en arrière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>The curve falls while the lens gets better. The slider below it shows the lens at any kept moment of the run; you can go on from there.</source>
-            <translation>La courbe descend quand la lentille s'améliore. Le curseur dessous montre la lentille à tout moment gardé de l'exécution ; on peut repartir de là.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Nothing is lost</source>
-            <translation>Rien n'est perdu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step to go there. Unsaved work is kept every minute, even if the program breaks off.</source>
-            <translation>Chaque modification et chaque exécution est une étape. Annuler par Ctrl+Z, ou cliquer sur une étape. Le travail non enregistré est gardé chaque minute, même si le programme s'interrompt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Find anything</source>
-            <translation>Tout trouver</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>Ctrl+Shift+P finds any command by parts of its name. File &gt; New from gallery has examples by their pictures, File &gt; Export takes the lens to other programs. Enjoy!</source>
-            <translation>Ctrl+Maj+P trouve toute commande par des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre des exemples en images, Fichier &gt; Exporter mène la lentille vers d'autres programmes. Bonne visite !</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;End</source>
-            <translation>&amp;Terminer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Back</source>
-            <translation>&amp;Retour</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>End the tour (Esc); Help &gt; Tour begins it again</source>
-            <translation>Terminer la visite (Échap) ; Aide &gt; Visite guidée la relance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>{number} of {count}</source>
-            <translation>{number} sur {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Done</source>
-            <translation>&amp;Fini</translation>
-        </message>
-        <message>
-            <location filename="../../ui/help/tour.py" />
-            <source>&amp;Next</source>
-            <translation>&amp;Suivant</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>The job from the side</source>
-            <translation>La tâche vue de côté</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>From the side</source>
-            <translation>De côté</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>From above</source>
-            <translation>D'en haut</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>, {across:.1f} × as high</source>
-            <translation>, {across:.1f} × plus haut</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/drawing.py" />
-            <source>, to scale</source>
-            <translation>, à l'échelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/form.py" />
-            <source>picture</source>
-            <translation>image</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/form.py" />
-            <source>file of light</source>
-            <translation>fichier de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>outlook</source>
-            <translation>aperçu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Picture at best</source>
-            <translation>Image au mieux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Blurred by the size of the light, as any lens has to</source>
-            <translation>Rendue floue par la taille de la source, comme avec toute lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Wanted</source>
-            <translation>Voulu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>At best</source>
-            <translation>Au mieux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Computing what can be expected…</source>
-            <translation>Calcul de ce qu'on peut attendre…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>The figures are of the answers before.</source>
-            <translation>Les valeurs sont celles des réponses précédentes.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/outlook.py" />
-            <source>Estimating… {part:.0f} %</source>
-            <translation>Estimation… {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>New design</source>
-            <translation>Nouvelle conception</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Jobs</source>
-            <translation>Tâches</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>&amp;Begin</source>
-            <translation>&amp;Commencer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>&amp;Open a file…</source>
-            <translation>&amp;Ouvrir un fichier…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>E&amp;xamples…</source>
-            <translation>E&amp;xemples…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Cannot begin: {reason}</source>
-            <translation>Impossible de commencer : {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/jobs/page.py" />
-            <source>Picture</source>
-            <translation>Motif</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/brush.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>a single point</source>
             <translation>un seul point</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/brush.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>radius {radius}</source>
             <translation>rayon {radius}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/live.py" />
-            <source>trace of the lens</source>
-            <translation>tracé de la lentille</translation>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>{place}Paint control points to lock or unlock them; or use arrows and Space. Brush ([ and ]): {words}. {count} locked</source>
+            <translation>{place}Peindre les points de contrôle pour les verrouiller ou déverrouiller ; ou flèches et Espace. Pinceau ([ et ]) : {words}. {count} verrouillés</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/live.py" />
-            <source>trace of the mirror</source>
-            <translation>tracé du miroir</translation>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. Brush ([ and ]): {words}</source>
+            <translation>{place}Faire glisser les points de contrôle selon z, ou flèches, Page haut et Page bas. Maj : fin, Échap : annuler. Pinceau ([ et ]) : {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/lock.py" />
-            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
-            <translation>{place}Peindre les points de contrôle pour les verrouiller, ou les libérer en partant d'un verrou ; ou par flèches et Espace. Pinceau, [ et ] : {words}. {count} verrouillés</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Collimated light comes from everywhere: choose another source to move it</source>
-            <translation>La lumière collimatée vient de partout : choisir une autre source pour la déplacer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; Shift: finely; Esc: back. </source>
-            <translation>Tirer la source en travers, Ctrl : selon z ; ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Corners: its size. </source>
-            <translation>Coins : sa taille. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/sculpt.py" />
-            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
-            <translation>{place}Tirer des points de contrôle selon z, ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. Pinceau, [ et ] : {words}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/sculpt.py" />
+            <location filename="../../ui/lens/brush_tools.py" />
             <source>. Moved by {rise:+.4g} {unit}</source>
             <translation>. Déplacé de {rise:+.4g} {unit}</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/sculpt.py" />
-            <source>All control points in the brush are locked; unlock some first.</source>
+            <location filename="../../ui/lens/brush_tools.py" />
+            <source>All control points under the brush are locked. Unlock some first.</source>
             <translation>Tous les points de contrôle du pinceau sont verrouillés ; en libérer d'abord.</translation>
         </message>
         <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>Stop the run first; then change the lens by hand.</source>
-            <translation>Arrêter d'abord l'exécution ; puis modifier la lentille à la main.</translation>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
+            <translation>Glisser la source ou un élément, avec Ctrl le long de z. Maj : fin, Échap : annuler.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Collimated light has no position</source>
+            <translation>La lumière collimatée n'a pas de position</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. </source>
+            <translation>Faire glisser la source, avec Ctrl selon z ; ou flèches, Page haut et Page bas. Maj : fin, Échap : annuler. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag corners to resize. </source>
+            <translation>Faire glisser les coins change la taille. </translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>Stop the run first; then change the mirror by hand.</source>
-            <translation>Arrêter d'abord l'exécution ; puis modifier le miroir à la main.</translation>
+            <source>ray trace of the lens</source>
+            <translation>tracé de la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is no lens to shape yet.</source>
+            <source>ray trace of the mirror</source>
+            <translation>tracé du miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first, then sculpt the lens.</source>
+            <translation>Arrêtez d'abord l'exécution, puis sculptez la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first, then sculpt the mirror.</source>
+            <translation>Arrêtez d'abord l'exécution, puis sculptez le miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no lens to sculpt yet.</source>
             <translation>Il n'y a pas encore de lentille à façonner.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is no mirror to shape yet.</source>
+            <source>There is no mirror to sculpt yet.</source>
             <translation>Il n'y a pas encore de miroir à façonner.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>There is one freeform face. Design &gt; Freeform entrance face gives a lens a second one.</source>
+            <source>There is only one freeform face. Design &gt; Freeform entrance face adds a second one.</source>
             <translation>Il y a une face de forme libre. Conception &gt; Face d'entrée de forme libre en donne une seconde à une lentille.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>Show distances to scale first (View &gt; Shorten gaps); then move the source.</source>
-            <translation>Afficher d'abord les distances à l'échelle (Affichage &gt; Raccourcir les distances) ; puis déplacer la source.</translation>
+            <source>Switch off View &gt; Compress distances first, then move the source.</source>
+            <translation>Désactivez d'abord Affichage &gt; Comprimer les distances, puis déplacez la source.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2625,6 +2445,11 @@
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
+            <source>move the element</source>
+            <translation>déplacer l'élément</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
             <source>move control points</source>
             <translation>déplacer des points de contrôle</translation>
         </message>
@@ -2640,28 +2465,28 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
-            <translation>Étapes les plus anciennes ({count}) oubliées : trop de mémoire pour annuler</translation>
+            <source>The {count} oldest steps can no longer be undone (memory limit)</source>
+            <translation>Les {count} plus anciennes étapes ne peuvent plus être annulées (limite de mémoire)</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{design} is still being designed. Stop, and save its best lens?</source>
-            <translation>{design} est encore en cours de conception. Arrêter et enregistrer sa meilleure lentille ?</translation>
+            <source>A run of {design} is in progress. Stop it and save the best lens?</source>
+            <translation>Une exécution de {design} est en cours. L'arrêter et enregistrer la meilleure lentille ?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{design} is still being designed. Stop, and save its best mirror?</source>
-            <translation>{design} est encore en cours de conception. Arrêter et enregistrer son meilleur miroir ?</translation>
+            <source>A run of {design} is in progress. Stop it and save the best mirror?</source>
+            <translation>Une exécution de {design} est en cours. L'arrêter et enregistrer le meilleur miroir ?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source> Changes of the task that wait for the end of the run are given up.</source>
-            <translation> Les modifications de la tâche qui attendent la fin de l'exécution sont abandonnées.</translation>
+            <source> Changes that wait for the end of the run are discarded.</source>
+            <translation> Les modifications en attente de la fin de l'exécution sont abandonnées.</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{file} takes the place of {design}, which is being designed.</source>
-            <translation>{file} prend la place de {design}, en cours de conception.</translation>
+            <source>A run of {design} is in progress. Stop it to open {file}.</source>
+            <translation>Une exécution de {design} est en cours. Arrêtez-la pour ouvrir {file}.</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
@@ -2675,123 +2500,118 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Saved with the task that the run works on.</source>
-            <translation>Enregistré avec la tâche sur laquelle travaille l'exécution.</translation>
+            <source>Saved with the task of the run.</source>
+            <translation>Enregistré avec la tâche de l'exécution.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Tool radius</source>
             <translation>Rayon de l'outil</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>a radius that fits</source>
-            <translation>un rayon qui convient</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius of the ball cutter. Empty: the radius of the design task, or the largest that fits everywhere.</source>
+            <translation>Rayon de la fraise boule. Vide : le rayon de la tâche, ou le plus grand qui passe partout.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
-            <translation>Rayon de la bille. Vide : celui de la tâche, ou un qui convient partout.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Scallop height</source>
+            <translation>Hauteur de crête</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Ridges</source>
-            <translation>Crêtes</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Hauteur maximale de matière entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande trop de mouvements.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
-            <translation>Hauteur permise des crêtes entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande plus de mouvements qu'un programme n'en peut avoir.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Clamping rim</source>
             <translation>Bord de serrage</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Width of stock around the lens, to hold it by.</source>
-            <translation>Largeur de brut autour de la lentille, pour la tenir.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Width of stock around the lens for clamping.</source>
+            <translation>Largeur du brut autour de la lentille pour le bridage.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Travel height</source>
             <translation>Hauteur de dégagement</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>the ball's diameter</source>
             <translation>le diamètre de la bille</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How far over its highest cut the cutter travels.</source>
-            <translation>À quelle hauteur au-dessus de sa plus haute coupe la fraise se déplace.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Height of rapid moves above the highest cut.</source>
+            <translation>Hauteur des déplacements rapides au-dessus de la coupe la plus haute.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>fine</source>
-            <translation>fin</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>automatic</source>
+            <translation>automatique</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Feed</source>
             <translation>Avance</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How fast the cutter moves while it cuts.</source>
-            <translation>Vitesse de la fraise pendant la coupe.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed rate while cutting.</source>
+            <translation>Avance en coupe.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Plunge feed</source>
             <translation>Avance de plongée</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How fast the cutter goes down into the stock.</source>
-            <translation>La vitesse à laquelle la fraise descend dans le brut.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed rate while plunging into the stock.</source>
+            <translation>Avance en plongée dans le brut.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Spindle speed</source>
             <translation>Vitesse de broche</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>Revolutions a minute, clockwise.</source>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Revolutions per minute, clockwise.</source>
             <translation>Tours par minute, en sens horaire.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Dwell</source>
             <translation>Temporisation</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>How long the cutter waits above the stock until the spindle is at its speed.</source>
-            <translation>Combien de temps la fraise attend au-dessus du brut que la broche atteigne sa vitesse.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Wait above the stock until the spindle has reached its speed.</source>
+            <translation>Attente au-dessus du brut jusqu'à ce que la broche ait atteint sa vitesse.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>From {least} to {most} {unit}.</source>
             <translation>De {least} à {most} {unit}.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Cut a mould of the face</source>
             <translation>Usiner un moule de la face</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cut_fields.py" />
-            <source>The negative: hollows become humps, turned over about the y axis.</source>
-            <translation>Le négatif : les creux deviennent des bosses, retourné autour de l'axe y.</translation>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that leaves too much material standing, or cuts too deep, is refused.</source>
-            <translation>Une passe de finition à la fraise hémisphérique en G-code en millimètres (GRBL, LinuxCNC). L'usinage est simulé avant l'écriture : une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
+            <source>Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
+            <translation>Écrit une passe de finition d'une fraise boule en G-code en millimètres (GRBL, LinuxCNC). La coupe est d'abord simulée ; une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2800,18 +2620,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>What the cut leaves</source>
-            <translation>Ce que laisse l'usinage</translation>
+            <source>Result of the simulation</source>
+            <translation>Résultat de la simulation</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop</source>
-            <translation>Arrêter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop the simulation; a change of a field begins it anew</source>
-            <translation>Arrêter la simulation ; la modification d'un champ la recommence</translation>
+            <source>Stop the simulation; a change of a field restarts it</source>
+            <translation>Arrêter la simulation ; une modification la relance</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2825,8 +2640,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Trace light through what the cut leaves, beside the lens as designed</source>
-            <translation>Tracer la lumière à travers ce que l'usinage laisse, à côté de la lentille telle que conçue</translation>
+            <source>Compare the image of the lens as made with the lens as designed</source>
+            <translation>Comparer l'image de la lentille usinée à celle de la lentille conçue</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2845,8 +2660,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stopped: the cut is not simulated.</source>
-            <translation>Arrêté : l'usinage n'est pas simulé.</translation>
+            <source>Stopped before the end of the simulation.</source>
+            <translation>Arrêté avant la fin de la simulation.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2860,8 +2675,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, as ridges or where the ball does not fit.</source>
-            <translation>Rayon {radius}, {size:,} mouvements. {deep} ; il reste jusqu'à {left} de matière, en crêtes ou là où la bille n'entre pas.</translation>
+            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material remains.</source>
+            <translation>Rayon {radius}, {size:,} mouvements. {deep} ; il reste jusqu'à {left} de matière.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2875,73 +2690,28 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Polishing takes ridges away.</source>
+            <source>Polishing removes scallops.</source>
             <translation>Le polissage enlève les crêtes.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Thickness along z</source>
-            <translation>Épaisseur selon z</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Angle between the face and a plane across the axis</source>
-            <translation>Angle entre la face et un plan perpendiculaire à l'axe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>One over the radius of concave places; zero elsewhere</source>
-            <translation>Inverse du rayon des endroits concaves ; zéro ailleurs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>One over the radius of convex places; zero elsewhere</source>
-            <translation>Inverse du rayon des endroits convexes ; zéro ailleurs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>Computed when no run changes it…</source>
-            <translation>Calculé quand aucune exécution ne le change…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>What the map shows</source>
-            <translation>Ce que montre la carte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/face_map.py" />
-            <source>; what is beyond a limit is hatched</source>
-            <translation> ; ce qui dépasse une limite est hachuré</translation>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Thinnest</source>
+            <translation>Plus mince</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>✓ met</source>
-            <translation>✓ tenue</translation>
+            <source>Least thickness of the element</source>
+            <translation>Épaisseur minimale de l'élément</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>No place is beyond the limit.</source>
-            <translation>Aucun endroit ne dépasse la limite.</translation>
+            <source>Thickest</source>
+            <translation>Plus épais</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>? open</source>
-            <translation>? ouverte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>No place that was looked at is beyond the limit, but that no other place is, is not proved: {bound} is all that the face surely keeps to.</source>
-            <translation>Aucun endroit examiné ne dépasse la limite, mais qu'aucun autre ne le fait n'est pas prouvé : {bound} est tout ce que la face tient sûrement.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>✗ broken</source>
-            <translation>✗ dépassée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Some places are beyond the limit; the map shows where.</source>
-            <translation>Certains endroits dépassent la limite ; la carte montre où.</translation>
+            <source>Largest thickness of the element</source>
+            <translation>Épaisseur maximale de l'élément</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2950,8 +2720,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest angle between the face and a plane across the axis</source>
-            <translation>Plus grand angle entre la face et un plan perpendiculaire à l'axe</translation>
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Plus grand angle entre une face de forme libre et un plan perpendiculaire à l'axe, en degrés</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2960,8 +2730,73 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Smallest radius of curvature of concave places</source>
-            <translation>Plus petit rayon de courbure des endroits concaves</translation>
+            <source>Least radius of curvature that a tool can cut, concave or convex</source>
+            <translation>Plus petit rayon de courbure usinable, concave ou convexe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest ball cutter</source>
+            <translation>Plus grande fraise boule</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Rayon de la fraise boule qui doit passer partout sur la face. Une boule plus grande laisse de la matière dans les creux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Empty: the limit of the design task. Stored for the next start.</source>
+            <translation>Vide : la limite de la tâche. Conservé pour le prochain démarrage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit: {label}</source>
+            <translation>Limite : {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>{value:g} is not possible; enter a number above 0 or leave it empty</source>
+            <translation>{value:g} est impossible ; entrez un nombre supérieur à 0 ou laissez vide</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✓ met</source>
+            <translation>✓ tenue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is kept everywhere.</source>
+            <translation>La limite est respectée partout.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>? not checked yet</source>
+            <translation>? pas encore vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is kept at all sampled points. Proved for the whole face: {bound}.</source>
+            <translation>La limite est respectée à tous les points échantillonnés. Prouvé pour toute la face : {bound}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✗ exceeded</source>
+            <translation>✗ dépassée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The limit is exceeded; the map shows where.</source>
+            <translation>La limite est dépassée ; la carte montre où.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest angle between the face and a plane across the axis</source>
+            <translation>Plus grand angle entre la face et un plan perpendiculaire à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Least concave radius of curvature</source>
+            <translation>Plus petit rayon de courbure concave</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2970,18 +2805,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Smallest radius of curvature of convex places</source>
-            <translation>Plus petit rayon de courbure des endroits convexes</translation>
+            <source>Least convex radius of curvature</source>
+            <translation>Plus petit rayon de courbure convexe</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest ball that fits</source>
-            <translation>Plus grande bille qui passe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest radius of a ball cutter that reaches every place of the face. A larger one leaves material standing in hollows</source>
-            <translation>Plus grand rayon d'une fraise hémisphérique qui atteint chaque point de la face. Une plus grande laisse de la matière dans les creux</translation>
+            <source>Radius of the largest ball cutter that fits everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Rayon de la plus grande fraise boule qui passe partout sur la face. Une boule plus grande laisse de la matière dans les creux</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2990,7 +2820,7 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Height of the highest point of the face over the lowest</source>
+            <source>Height of the highest point of the face above the lowest</source>
             <translation>Hauteur du point le plus haut de la face au-dessus du plus bas</translation>
         </message>
         <message>
@@ -3020,8 +2850,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Say how the face is cut, see what the cut leaves, and write G-code</source>
-            <translation>Dire comment la face est usinée, voir ce que laisse l'usinage, et écrire le G-code</translation>
+            <source>Simulate the cut of the face and write G-code</source>
+            <translation>Simuler l'usinage de la face et écrire le G-code</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -3040,371 +2870,216 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>none</source>
-            <translation>sans</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>The face has none.</source>
             <translation>La face n'en a pas.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>At x = {x}, y = {y}. Nowhere beyond {bound}.</source>
-            <translation>À x = {x}, y = {y}. Nulle part au-delà de {bound}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Thinnest</source>
-            <translation>Plus mince</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>The part has to be as thick as this everywhere</source>
-            <translation>La pièce doit avoir partout cette épaisseur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Thickest</source>
-            <translation>Plus épais</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>The part must not be thicker than this anywhere</source>
-            <translation>La pièce ne doit nulle part être plus épaisse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
-            <translation>Plus grand angle entre une face de forme libre et un plan perpendiculaire à l'axe, en degrés</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Smallest radius that a tool can cut, of concave and convex places</source>
-            <translation>Plus petit rayon qu'un outil peut usiner, des endroits concaves et convexes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Radius of the ball cutter that has to reach every place of the face. One that is too large for a hollow leaves material standing there</source>
-            <translation>Rayon de la fraise hémisphérique qui doit atteindre chaque point de la face. Une fraise trop grande pour un creux y laisse de la matière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Empty: what the design task keeps to, if anything. Kept for the next start.</source>
-            <translation>Vide : ce que la tâche respecte, s'il y a lieu. Gardé pour le prochain démarrage.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>Limit: {label}</source>
-            <translation>Limite : {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/limits.py" />
-            <source>{value:g}; a number above 0, or nothing</source>
-            <translation>{value:g} ; un nombre au-dessus de 0, ou rien</translation>
+            <source>At x = {x}, y = {y}. Proved bound: {bound}.</source>
+            <translation>En x = {x}, y = {y}. Borne prouvée : {bound}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>look at the face</source>
-            <translation>examen de la face</translation>
+            <source>Thickness along z</source>
+            <translation>Épaisseur selon z</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Out of date: of the lens before; computed anew when it rests.</source>
-            <translation>Périmé : de la lentille précédente ; recalculé quand elle est au repos.</translation>
+            <source>Angle between the face and a plane across the axis</source>
+            <translation>Angle entre la face et un plan perpendiculaire à l'axe</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens does not fit the new outline: Start designs another one, Undo brings it back.</source>
-            <translation>La lentille ne convient pas au nouveau contour : Démarrer en conçoit une autre, Annuler la ramène.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Largest concave curvature; zero where there is none</source>
+            <translation>Plus grande courbure concave ; zéro s'il n'y en a pas</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror does not fit the new outline: Start designs another one, Undo brings it back.</source>
-            <translation>Le miroir ne convient pas au nouveau contour : Démarrer en conçoit un autre, Annuler le ramène.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Largest convex curvature; zero where there is none</source>
+            <translation>Plus grande courbure convexe ; zéro s'il n'y en a pas</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo takes the change back.</source>
-            <translation>La face d'entrée est désormais de forme libre, et encore plane. Continuer façonne les deux faces, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Calculé quand la conception est au repos…</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The entrance face is flat now; the exit face stays as it was, but it was made for the light of both. Continue shapes it alone, and Undo takes the change back.</source>
-            <translation>La face d'entrée est désormais plane ; la face de sortie reste telle quelle, mais elle était faite pour la lumière des deux. Continuer la façonne seule, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>What the map shows</source>
+            <translation>Ce que montre la carte</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
-            <translation>La lentille change de {moved} au plus pour rester dans ses nouvelles limites. Continuer repart de là, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>; hatched where a limit is exceeded</source>
+            <translation>; hachuré où une limite est dépassée</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
-            <translation>Le miroir change de {moved} au plus pour rester dans ses nouvelles limites. Continuer repart de là, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>analysis of the face</source>
+            <translation>analyse de la face</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The program takes {size} control points now. Continue goes on from the lens that was there, carried over, and Undo takes the change back.</source>
-            <translation>Le programme prend maintenant {size} points de contrôle. Continuer repart de la lentille précédente, transposée, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Outdated; recomputed when the design rests.</source>
+            <translation>Obsolète ; recalculé quand la conception est au repos.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The program takes {size} control points now. Continue goes on from the mirror that was there, carried over, and Undo takes the change back.</source>
-            <translation>Le programme prend maintenant {size} points de contrôle. Continuer repart du miroir précédent, transposé, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The lens was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
-            <translation>La lentille a été conçue pour une autre tâche et sert de départ à celle-ci : Continuer repart d'elle, Recommencer non</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Enregistrer le graphique (PNG, SVG), ou les chiffres de chaque lentille (CSV, JSON)</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>The mirror was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
-            <translation>Le miroir a été conçu pour une autre tâche et sert de départ à celle-ci : Continuer repart de lui, Recommencer non</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a whole number from 1 to {most} is needed</source>
+            <translation>un nombre entier de 1 à {most} est requis</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is the same.</source>
-            <translation>Sur {size} points de contrôle, inchangé : {name}.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a whole number from 0 is needed</source>
+            <translation>un nombre entier à partir de 0 est requis</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>Take {size}, exact</source>
-            <translation>Prendre {size}, exact</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>a finite number from 0 is needed</source>
+            <translation>un nombre fini à partir de 0 est requis</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is off by up to {off}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Sur {size} points de contrôle, {name} s'écarte de {off} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>over</source>
+            <translation>sur</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>change of {name}</source>
-            <translation>modification : {name}</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Lenses</source>
+            <translation>Lentilles</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>control points</source>
-            <translation>points de contrôle</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Number of traced lenses; more lenses give better percentiles</source>
+            <translation>Nombre de lentilles tracées ; davantage donne de meilleurs percentiles</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the lens</source>
-            <translation>la lentille</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Graine</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the mirror</source>
-            <translation>le miroir</translation>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>La même graine donne les mêmes lentilles</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/carried_lens.py" />
-            <source>the entrance face</source>
-            <translation>la face d'entrée</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Start traces randomly perturbed lenses and shows the distribution of the error.</source>
+            <translation>Démarrer trace des lentilles perturbées au hasard et montre la distribution de l'erreur.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/coarse_net.py" />
-            <source>Refine and start over</source>
-            <translation>Affiner et recommencer</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>All tolerances are zero. Enter a tilt, a decentre or another tolerance.</source>
+            <translation>Toutes les tolérances sont nulles. Entrez une inclinaison, un décentrement ou une autre tolérance.</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/coarse_net.py" />
-            <source>automatic control points</source>
-            <translation>points de contrôle automatiques</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>tolerance analysis</source>
+            <translation>analyse de tolérances</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/postponed_edits.py" />
-            <source>Stop and apply</source>
-            <translation>Arrêter et appliquer</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Stop; the traced lenses are kept</source>
+            <translation>Arrêter ; les lentilles tracées sont conservées</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/postponed_edits.py" />
-            <source>Take back</source>
-            <translation>Reprendre</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Perturb the lens at random and trace each sample independently</source>
+            <translation>Perturber la lentille au hasard et tracer chaque échantillon indépendamment</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/refused_fields.py" />
-            <source> ({count} more refused)</source>
-            <translation> ({count} autres refusés)</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>{count} of {wanted} lenses</source>
+            <translation>{count} lentilles sur {wanted}</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/refused_fields.py" />
-            <source>{first}{others}. Correct it, or press Esc, first.</source>
-            <translation>{first}{others}. Corriger d'abord, ou appuyer sur Échap.</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
+            <translation>{done} : erreur de la conception {nominal:.2f} %, médiane {median:.2f} %, 95 % des lentilles sous {most:.2f} %, pire {worst:.2f} %</translation>
         </message>
         <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The run goes on within these limits.</source>
-            <translation>L'exécution se poursuit dans ces limites.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Stop and widen</source>
-            <translation>Arrêter et élargir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Widen</source>
-            <translation>Élargir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Continue</source>
-            <translation>Continuer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>automatic height range</source>
-            <translation>plage de hauteur automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>wider height range</source>
-            <translation>plage de hauteur plus large</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>wider entrance range</source>
-            <translation>plage d'entrée plus large</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The height range follows from the task now</source>
-            <translation>La plage de hauteur suit désormais de la tâche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>La plage de hauteur est désormais de {low:.3g} à {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>La plage d'entrée est désormais de {low:.3g} à {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>{said}, and the lens is as it was. Start over mostly finds a better one than Continue does.</source>
-            <translation>{said} ; la lentille est inchangée. Recommencer en trouve le plus souvent une meilleure que Continuer.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>{said}, and the mirror is as it was. Start over mostly finds a better one than Continue does.</source>
-            <translation>{said} ; le miroir est inchangé. Recommencer en trouve le plus souvent un meilleur que Continuer.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/shortfall.py" />
-            <source>Start over</source>
-            <translation>Recommencer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/target_image.py" />
-            <source>{image} has changed. The design keeps the picture that it has.</source>
-            <translation>{image} a changé. La conception garde l'image qu'elle a.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/target_image.py" />
-            <source>Read it again</source>
-            <translation>Lire à nouveau</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/total_reflection.py" />
-            <source>{where}, as marked in the 3D scene: {cure}.</source>
-            <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/total_reflection.py" />
-            <source>search for total reflection</source>
-            <translation>recherche de réflexion totale</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>All lengths are converted: 1 {old} is {ratio:.6g} {new} now.</source>
-            <translation>Toutes les longueurs sont converties : 1 {old} vaut maintenant {ratio:.6g} {new}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>Keep the numbers</source>
-            <translation>Garder les nombres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/notices/unit_change.py" />
-            <source>change of unit alone</source>
-            <translation>changement d'unité seul</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>Auto</source>
-            <translation>Auto</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>{label}, automatic</source>
-            <translation>{label}, automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/auto_row.py" />
-            <source>auto</source>
-            <translation>auto</translation>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Outdated: the lens has changed.</source>
+            <translation>Obsolète : la lentille a changé.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/edits.py" />
-            <source>this task has no such field any more</source>
-            <translation>cette tâche n'a plus de tel champ</translation>
+            <source>the task no longer has this field</source>
+            <translation>la tâche n'a plus ce champ</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>element</source>
             <translation>élément</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Elements</source>
             <translation>Éléments</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add a plano-convex lens of fixed shape behind the last element</source>
             <translation>Ajouter une lentille plan-convexe de forme fixe derrière le dernier élément</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add a plane mirror behind the last element</source>
             <translation>Ajouter un miroir plan derrière le dernier élément</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Add a copy of the chosen element behind the last element</source>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a diffuser behind the last element</source>
+            <translation>Ajouter un diffuseur derrière le dernier élément</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a copy of the selected element behind the last element</source>
             <translation>Ajouter une copie de l'élément choisi derrière le dernier élément</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Remove the chosen element</source>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Remove the selected element</source>
             <translation>Retirer l'élément choisi</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Exchange the chosen element with the one before it, along z too</source>
-            <translation>Échanger l'élément choisi avec celui qui le précède, selon z aussi</translation>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Swap the selected element with the previous one, positions included</source>
+            <translation>Échanger l'élément choisi avec le précédent, positions comprises</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
-            <source>Exchange the chosen element with the one behind it, along z too</source>
-            <translation>Échanger l'élément choisi avec celui qui le suit, selon z aussi</translation>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Swap the selected element with the next one, positions included</source>
+            <translation>Échanger l'élément choisi avec le suivant, positions comprises</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add lens</source>
             <translation>Ajouter une lentille</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
             <source>Add mirror</source>
             <translation>Ajouter un miroir</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/element_list.py" />
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add diffuser</source>
+            <translation>Ajouter un diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
             <source>designed</source>
             <translation>à concevoir</translation>
         </message>
@@ -3440,13 +3115,33 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
-            <translation>De combien un point de contrôle peut s'écarter de la base, vers le bas et le haut. Une plage plus large dévie davantage la lumière.</translation>
+            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
+            <translation>Bornes des hauteurs de contrôle par rapport à la base, vers le bas et le haut. Des bornes plus larges permettent une plus grande déviation.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>change of {name}</source>
+            <translation>modification : {name}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>{label}, automatic</source>
+            <translation>{label}, automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>auto</source>
+            <translation>auto</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3465,23 +3160,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The target is no picture: only a picture has an aspect.</source>
-            <translation>La cible n'est pas une image : seule une image a un format.</translation>
+            <source>The target is not a picture and has no aspect.</source>
+            <translation>La cible n'est pas une image et n'a pas de rapport.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The picture has no aspect: {refused}</source>
-            <translation>L'image n'a pas de format : {refused}</translation>
+            <source>The picture cannot be read: {refused}</source>
+            <translation>L'image ne peut pas être lue : {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>screen of the picture's aspect</source>
-            <translation>écran au format de l'image</translation>
+            <source>aspect of the picture for the screen</source>
+            <translation>rapport de l'image pour l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>far field of the picture's aspect</source>
-            <translation>champ lointain au format de l'image</translation>
+            <source>aspect of the picture for the far field</source>
+            <translation>rapport de l'image pour le champ lointain</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3505,56 +3200,86 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Stop the run first; then read the image again.</source>
-            <translation>Arrêter d'abord l'exécution ; puis relire l'image.</translation>
+            <source>Stop the run first, then reload the image.</source>
+            <translation>Arrêtez d'abord l'exécution, puis rechargez l'image.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Waits for the end of the run: {edits}.</source>
+            <source>Waiting for the end of the run: {edits}.</source>
             <translation>Attend la fin de l'exécution : {edits}.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
+            <source>Images ({endings});;All files (*)</source>
+            <translation>Images ({endings});;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>An image file can also be dropped onto the window.</source>
+            <translation>Un fichier d'image peut aussi être déposé sur la fenêtre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>change of target image</source>
+            <translation>changement d'image cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>The design keeps images of up to {largest} MB.</source>
+            <translation>La conception garde les images jusqu'à {largest} Mo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Choose an image file</source>
+            <translation>Choisir un fichier d'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Target irradiance as its viewer sees it</source>
+            <translation>Éclairement cible tel que l'observateur le voit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>image</source>
             <translation>image</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>Images</source>
             <translation>Images</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ajouter une image plus loin, avec la cible de la dernière</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Add a copy of the chosen image behind it</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a copy of the selected image</source>
             <translation>Ajouter une copie de l'image choisie après elle</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Remove the chosen image</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Remove the selected image</source>
             <translation>Retirer l'image choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Move the chosen image up</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected image up</source>
             <translation>Monter l'image choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>Move the chosen image down</source>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected image down</source>
             <translation>Descendre l'image choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>The panels Target and Receiver have the settings of image 1.</source>
-            <translation>Les panneaux Cible et Récepteur contiennent les réglages de l'image 1.</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>The panels Target and Receiver belong to image 1.</source>
+            <translation>Les panneaux Cible et Récepteur appartiennent à l'image 1.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/image_list.py" />
+            <location filename="../../ui/panels/images.py" />
             <source>{place}, {target}, weight {weight:g}</source>
             <translation>{place}, {target}, poids {weight:g}</translation>
         </message>
@@ -3564,9 +3289,49 @@
             <translation>Image {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>change of target image</source>
-            <translation>changement d'image cible</translation>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Duplicate</source>
+            <translation>Dupliquer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Remove</source>
+            <translation>Retirer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Up</source>
+            <translation>Monter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>Down</source>
+            <translation>Descendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>new {part}</source>
+            <translation>nouveau : {part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>copy of {part} {number}</source>
+            <translation>copie : {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>removal of {part} {number}</source>
+            <translation>retrait : {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lists.py" />
+            <source>move of {part} {number}</source>
+            <translation>déplacement : {part} {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3574,99 +3339,49 @@
             <translation>{panel}, {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Add</source>
-            <translation>Ajouter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Duplicate</source>
-            <translation>Dupliquer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Remove</source>
-            <translation>Retirer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Up</source>
-            <translation>Monter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>Down</source>
-            <translation>Descendre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>new {part}</source>
-            <translation>nouveau : {part}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>copy of {part} {number}</source>
-            <translation>copie : {part} {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>removal of {part} {number}</source>
-            <translation>retrait : {part} {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/part_list.py" />
-            <source>move of {part} {number}</source>
-            <translation>déplacement : {part} {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>region</source>
             <translation>région</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Regions</source>
             <translation>Régions</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Add a region in the middle</source>
             <translation>Ajouter une région au milieu</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Add a copy of the chosen region behind it</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Add a copy of the selected region</source>
             <translation>Ajouter une copie de la région choisie après elle</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Remove the chosen region</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Remove the selected region</source>
             <translation>Retirer la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Move the chosen region up</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Move the selected region up</source>
             <translation>Monter la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
-            <source>Move the chosen region down</source>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Move the selected region down</source>
             <translation>Descendre la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>None.</source>
             <translation>Aucune.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/region_list.py" />
+            <location filename="../../ui/panels/regions.py" />
             <source>Region {count}</source>
             <translation>Région {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Watched</source>
-            <translation>Observées</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
@@ -3690,8 +3405,93 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
-            <translation>Combien de nombres sont optimisés, et la mémoire qu'ils prennent avec leur gradient et les deux moments de l'optimiseur. Un réseau trop grand est refusé au départ.</translation>
+            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
+            <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l'optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages</source>
+            <translation>Étapes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
+            <translation>Étapes qu'une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>stage</source>
+            <translation>étape</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stages of the run</source>
+            <translation>Étapes de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Ajouter une étape après les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Add a copy of the selected stage</source>
+            <translation>Ajouter une copie de l'étape choisie après elle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Remove the selected stage</source>
+            <translation>Retirer l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Run the selected stage earlier</source>
+            <translation>Exécuter plus tôt l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Run the selected stage later</source>
+            <translation>Exécuter plus tard l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Puis la scène elle-même : {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>réseau de {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{kind} filter</source>
+            <translation>filtre : {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>1 iteration</source>
+            <translation>1 itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{count} iterations</source>
+            <translation>{count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>As the scene</source>
+            <translation>Comme la scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Stage {number}</source>
+            <translation>Étape {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3704,154 +3504,339 @@
             <translation>changement d'unité</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>Files of light ({endings});;All files (*)</source>
             <translation>Fichiers de lumière ({endings});;Tous les fichiers (*)</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>change of file of light</source>
             <translation>changement de fichier de lumière</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>The design keeps files of up to {largest} MB.</source>
             <translation>La conception garde les fichiers jusqu'à {largest} Mo.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/source.py" />
+            <location filename="../../ui/panels/scene.py" />
             <source>Choose a file of light</source>
             <translation>Choisir un fichier de lumière</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>In turn</source>
-            <translation>Tour à tour</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>The image is still being computed. Try again in a moment.</source>
+            <translation>L'image est en cours de calcul. Réessayez dans un instant.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>A run goes through these stages before the scene itself, each going on from the lens of the one before: from a point source to an extended one, say, or from a coarse net to a fine one.</source>
-            <translation>Une exécution passe par ces étapes avant la scène elle-même, chacune à partir de la lentille de la précédente : d'une source ponctuelle à une étendue, par exemple, ou d'un réseau grossier à un fin.</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>checking…</source>
+            <translation>vérification en cours…</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>stage</source>
-            <translation>étape</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>vérification… {part:.0f} %</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Stages of the run</source>
-            <translation>Étapes de l'exécution</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Check failed</source>
+            <translation>Échec de la vérification</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Add a stage behind the others</source>
-            <translation>Ajouter une étape après les autres</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Verified error {verified}</source>
+            <translation>Erreur vérifiée {verified}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Add a copy of the chosen stage behind it</source>
-            <translation>Ajouter une copie de l'étape choisie après elle</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Vérification avec {rays:,} rayons : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec le bruit des rayons {relative_l2:.2f} ± {noise:.2f} %, perte {loss} ; {efficiency:.1f} % {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Remove the chosen stage</source>
-            <translation>Retirer l'étape choisie</translation>
+            <location filename="../../ui/run/check.py" />
+            <source>check</source>
+            <translation>vérification</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Run the chosen stage sooner</source>
-            <translation>Exécuter plus tôt l'étape choisie</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>F8 checks the design with an independent ray trace.</source>
+            <translation>F8 vérifie la conception par un tracé de rayons indépendant.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Run the chosen stage later</source>
-            <translation>Exécuter plus tard l'étape choisie</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>check failed</source>
+            <translation>échec de la vérification</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>Then the scene as it stands, {iterations}.</source>
-            <translation>Puis la scène telle quelle, {iterations}.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Two independent methods, beam meshes and random rays, differ by more than their error bounds: one of them is wrong.</source>
+            <translation>Deux méthodes indépendantes, maillages de faisceaux et rayons aléatoires, diffèrent de plus que leurs bornes d'erreur : l'une est fausse.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>None: the scene is run as it stands.</source>
-            <translation>Aucune : la scène est exécutée telle quelle.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>no deterministic figure</source>
+            <translation>pas de valeur déterministe</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>net of {n_u} × {n_v}</source>
-            <translation>réseau de {n_u} × {n_v}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The error is from random rays alone; the intervals below include their noise.</source>
+            <translation>L'erreur provient des seuls rayons aléatoires ; les intervalles ci-dessous incluent leur bruit.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>{kind} filter</source>
-            <translation>filtre : {kind}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>optimiser and check</source>
+            <translation>optimiseur et vérification</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>1 iteration</source>
-            <translation>1 itération</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Image or efficiency of the optimiser differ from the check by more than the error bounds; the optimiser traces fewer rays.</source>
+            <translation>L'image ou le rendement de l'optimiseur diffèrent de la vérification de plus que les bornes d'erreur ; l'optimiseur trace moins de rayons.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stage_list.py" />
-            <source>{count} iterations</source>
-            <translation>{count} itérations</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>verified error</source>
+            <translation>erreur vérifiée</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>As the scene</source>
-            <translation>Comme la scène</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 error between image and target, by a deterministic beam mesh: free of ray noise.</source>
+            <translation>Erreur L2 relative entre image et cible, par un maillage de faisceaux déterministe : sans bruit de rayons.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>Stages</source>
-            <translation>Étapes</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>error interval</source>
+            <translation>intervalle d'erreur</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/stages.py" />
-            <source>Stage {number}</source>
-            <translation>Étape {number}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Interval of that error, bounded from two mesh sizes.</source>
+            <translation>Intervalle de cette erreur, borné par deux tailles de maille.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>Images ({endings});;All files (*)</source>
-            <translation>Images ({endings});;Tous les fichiers (*)</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>beam mesh</source>
+            <translation>maillage de faisceaux</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>An image file can also be dropped onto the window.</source>
-            <translation>Un fichier d'image peut aussi être déposé sur la fenêtre.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Number of beams through the entrance face.</source>
+            <translation>Nombre de faisceaux à travers la face d'entrée.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>The design keeps images of up to {largest} MB.</source>
-            <translation>La conception garde les images jusqu'à {largest} Mo.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>error by image pairs</source>
+            <translation>erreur par paires d'images</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>Choose an image file</source>
-            <translation>Choisir un fichier d'image</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The deterministic check would be too slow here; pairs of random images are used. The interval has 95 % confidence.</source>
+            <translation>La vérification déterministe serait trop lente ici ; des paires d'images aléatoires sont utilisées. L'intervalle a 95 % de confiance.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/target.py" />
-            <source>The light that is wanted on the screen, as its viewer sees it</source>
-            <translation>La lumière voulue sur l'écran, telle que la voit son observateur</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>difference of random rays</source>
+            <translation>écart des rayons aléatoires</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>bound</source>
-            <translation>borne</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 difference between the images of both methods. About one noise level is expected.</source>
+            <translation>Différence L2 relative entre les images des deux méthodes. Environ un niveau de bruit est attendu.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>at best {error}</source>
-            <translation>au mieux {error}</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>relative L2 error</source>
+            <translation>erreur L2 relative</translation>
         </message>
         <message>
-            <location filename="../../ui/run/bound.py" />
-            <source>There can be {bound}; {error} with a source half as wide. This is the least relative L2 error, certified; freeform bound tells more.</source>
-            <translation>Possible : {bound} ; {error} avec une source deux fois moins large. C'est la plus petite erreur L2 relative, certifiée ; « freeform bound » en dit plus.</translation>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more rays reduce it.</source>
+            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme. Inclut le bruit des rayons ; plus de rayons le réduit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % interval with noise</source>
+            <translation>intervalle à 95 % avec bruit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % interval of the error with noise, for other rays of the same number.</source>
+            <translation>Intervalle à 95 % de l'erreur avec bruit, pour d'autres rayons en même nombre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>without ray noise</source>
+            <translation>sans bruit des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>The same error without ray noise. With &lt; where these rays cannot distinguish it from zero.</source>
+            <translation>La même erreur sans bruit de rayons. Avec &lt; si ces rayons ne la distinguent pas de zéro.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % confidence</source>
+            <translation>confiance à 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>95 % confidence interval of that error.</source>
+            <translation>Intervalle de confiance à 95 % de cette erreur.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>loss of the paper</source>
+            <translation>coût de l'article</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
+            <translation>La norme de la différence entre image et cible, chacune divisée par sa somme, sur la racine du nombre de pixels.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>PSNR</source>
+            <translation>PSNR</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
+            <translation>Rapport signal sur bruit de crête, par rapport à la crête de la cible : plus grand est mieux.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>SSIM</source>
+            <translation>SSIM</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
+            <translation>Similarité structurelle moyenne dans des fenêtres de 11 × 11 pixels : 1 pour des images égales.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Pearson's coefficient of image and target over the pixels; 1 for proportional images.</source>
+            <translation>Coefficient de Pearson de l'image et de la cible sur les pixels ; 1 pour des images proportionnelles.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Least over mean of irradiance / target where the target is at least half its peak; 1 is uniform, 0 has a dark pixel.</source>
+            <translation>Minimum sur moyenne de éclairement / cible où la cible atteint au moins la moitié de son maximum ; 1 est uniforme, 0 a un pixel sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
+            <translation>(éclairé − noir) / (éclairé + noir) des éclairements moyens ; noir va jusqu'à un centième de la crête de la cible. 1 est un noir parfait.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Fraction of the emitted flux in the image.</source>
+            <translation>Part du flux émis dans l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>meets the face again</source>
+            <translation>rencontre à nouveau la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Flux that hits its exit face a second time, as in a deep concave face. Image and efficiency ignore this.</source>
+            <translation>Flux qui rencontre une seconde fois sa face de sortie, comme dans une face très concave. L'image et le rendement l'ignorent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>comes through the screen</source>
+            <translation>traverse l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Flux that the screen blocks before the mirror. Image and efficiency ignore this; a screen beside the axis does not block it.</source>
+            <translation>Flux que l'écran bloque avant le miroir. L'image et le rendement l'ignorent ; un écran à côté de l'axe ne bloque rien.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>difference to the optimiser</source>
+            <translation>écart avec l'optimiseur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 difference to the image of the optimiser; includes its filter and ray noise.</source>
+            <translation>Différence L2 relative à l'image de l'optimiseur ; inclut son filtre et le bruit des rayons.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of the image; a quarter more are traced for the error without noise.</source>
+            <translation>Rayons de l'image ; un quart de plus est tracé pour l'erreur sans bruit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>correlation</source>
+            <translation>corrélation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>uniformity</source>
+            <translation>uniformité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>contrast</source>
+            <translation>contraste</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>efficiency</source>
+            <translation>rendement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>rays</source>
+            <translation>rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Fraction of the emitted flux on the region, and its darkest and brightest pixel over the mean; 1 is uniform.</source>
+            <translation>Part du flux émis sur la région, et son pixel le plus sombre et le plus clair sur la moyenne ; 1 est uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Figures of the check</source>
+            <translation>Chiffres de la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Copy</source>
+            <translation>Copier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of a check</source>
+            <translation>Rayons d'une vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Rays of a check; four times as many halve the noise</source>
+            <translation>Rayons d'une vérification ; quatre fois plus divisent le bruit par deux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} millions de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Copy all figures to the clipboard, tab-separated</source>
+            <translation>Copier tous les chiffres dans le presse-papiers, séparés par des tabulations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>image {number}: {name}</source>
+            <translation>image {number} : {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source> Outdated figures: the design has changed.</source>
+            <translation> Chiffres obsolètes : la conception a changé.</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3865,8 +3850,8 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Point at an image to read its light</source>
-            <translation>Pointer une image pour lire sa lumière</translation>
+            <source>Point at an image to read its irradiance</source>
+            <translation>Pointez une image pour lire son éclairement</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3880,18 +3865,23 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Which of the scenes' images is shown, in pictures and figures</source>
-            <translation>Laquelle des images des scènes est affichée, dans les images et les chiffres</translation>
+            <source>Choose the image to compare</source>
+            <translation>Choisir l'image à comparer</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
-            <source>Light under the pointer</source>
-            <translation>Lumière sous le pointeur</translation>
+            <source>Value under the pointer</source>
+            <translation>Valeur sous le pointeur</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
             <source>Figures of both runs</source>
             <translation>Chiffres des deux exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>run</source>
+            <translation>exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/control.py" />
@@ -3904,29 +3894,64 @@
             <translation>exécution de la conception</translation>
         </message>
         <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>Following: the first design is under way</source>
-            <translation>Suivi : la première conception est en cours</translation>
+            <location filename="../../ui/run/control.py" />
+            <source>There is no result yet, or it is still being computed. Try again in a moment.</source>
+            <translation>Il n'y a pas encore de résultat, ou il est en cours de calcul. Réessayez dans un instant.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>the best lens so far, after {count} iterations</source>
+            <translation>la meilleure lentille jusqu'ici, après {count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>the best mirror so far, after {count} iterations</source>
+            <translation>le meilleur miroir jusqu'ici, après {count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>this lens, {origin}</source>
+            <translation>cette lentille, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>this mirror, {origin}</source>
+            <translation>ce miroir, {origin}</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Following: the first design takes long here; edits wait for a pause</source>
-            <translation>Suivi : la première conception est longue ici ; les modifications attendent une pause</translation>
+            <source>Updating the lens</source>
+            <translation>Mise à jour de la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>design of the lens that was missing</source>
+            <source>Updating the mirror</source>
+            <translation>Mise à jour du miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Updating the lens: slow task, edits are applied after a pause</source>
+            <translation>Mise à jour de la lentille : tâche lente, les modifications s'appliquent après une pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Updating the mirror: slow task, edits are applied after a pause</source>
+            <translation>Mise à jour du miroir : tâche lente, les modifications s'appliquent après une pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the missing lens</source>
             <translation>conception de la lentille manquante</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>design of the mirror that was missing</source>
+            <source>design of the missing mirror</source>
             <translation>conception du miroir manquant</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Following: error {error:.1f} %, still getting better</source>
-            <translation>Suivi : erreur {error:.1f} %, encore en baisse</translation>
+            <source>Updating: error {error:.1f} %</source>
+            <translation>Mise à jour : erreur {error:.1f} %</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
@@ -3939,39 +3964,14 @@
             <translation>conception du miroir</translation>
         </message>
         <message>
-            <location filename="../../ui/run/kept.py" />
+            <location filename="../../ui/run/kept_runs.py" />
             <source>Run {number}: {description}</source>
             <translation>Exécution {number} : {description}</translation>
         </message>
         <message>
-            <location filename="../../ui/run/kept.py" />
-            <source>Followed {number}: {description}</source>
-            <translation>Suivi {number} : {description}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
-            <translation>Il n'y a pas encore de résultat, ou sa lumière est encore en cours de tracé ; réessayer dans un instant.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the best lens so far, after {count} iterations</source>
-            <translation>la meilleure lentille jusqu'ici, après {count} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the best mirror so far, after {count} iterations</source>
-            <translation>le meilleur miroir jusqu'ici, après {count} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the lens on show, {origin}</source>
-            <translation>la lentille affichée, {origin}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/lens_on_show.py" />
-            <source>the mirror on show, {origin}</source>
-            <translation>le miroir affiché, {origin}</translation>
+            <location filename="../../ui/run/kept_runs.py" />
+            <source>Live update {number}: {description}</source>
+            <translation>Mise à jour {number} : {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -3985,18 +3985,18 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Stop asked for</source>
+            <source>Stop requested</source>
             <translation>Arrêt demandé</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>{name} is kept no longer: kept runs would take too much memory</source>
-            <translation>{name} n'est plus gardé : les exécutions gardées prendraient trop de mémoire</translation>
+            <source>{name} was removed: memory limit of kept runs</source>
+            <translation>{name} a été supprimé : limite de mémoire des exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run begins: {name}, method {method}</source>
-            <translation>Début d'exécution : {name}, méthode {method}</translation>
+            <source>Run started: {name}, method {method}</source>
+            <translation>Exécution démarrée : {name}, méthode {method}</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -4035,28 +4035,38 @@
         </message>
         <message>
             <location filename="../../ui/run/run_check.py" />
-            <source>Checked error {error} at {iteration}</source>
-            <translation>Erreur vérifiée {error} à {iteration}</translation>
+            <source>Verified error {error} at iteration {iteration}</source>
+            <translation>Erreur vérifiée {error} à l'itération {iteration}</translation>
         </message>
         <message>
-            <location filename="../../ui/run/runner.py" />
-            <source>run</source>
-            <translation>exécution</translation>
+            <location filename="../../ui/run/run_check.py" />
+            <source>bound</source>
+            <translation>borne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>lower bound {error}</source>
+            <translation>borne inférieure {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
+            <translation>Borne inférieure certifiée de l'erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose one run in View &gt; Runs first.</source>
+            <source>Select a run in View &gt; Runs first.</source>
             <translation>Choisir d'abord une exécution dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose runs in View &gt; Runs first.</source>
+            <source>Select runs in View &gt; Runs first.</source>
             <translation>Choisir d'abord des exécutions dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Choose two runs in View &gt; Runs first: Ctrl and a click.</source>
-            <translation>Choisir d'abord deux exécutions dans Affichage &gt; Exécutions : Ctrl et clic.</translation>
+            <source>Select two runs in View &gt; Runs first (Ctrl+click).</source>
+            <translation>Choisissez d'abord deux exécutions dans Affichage &gt; Exécutions (Ctrl+clic).</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4065,7 +4075,7 @@
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>The run is still called {name}: {reason}</source>
+            <source>The run was not renamed; it is still {name}: {reason}</source>
             <translation>L'exécution s'appelle toujours {name} : {reason}</translation>
         </message>
         <message>
@@ -4115,23 +4125,23 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Iterations done, and how many a second lately</source>
-            <translation>Itérations faites, et combien par seconde dernièrement</translation>
+            <source>Finished iterations, and the current rate</source>
+            <translation>Itérations terminées et rythme actuel</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image after so many iterations of the run, by an independent trace with rays that the design never saw; the scatter of these rays is left out</source>
-            <translation>Erreur L2 relative de l'image après tant d'itérations, par un tracé indépendant avec des rayons que la conception n'a jamais vus ; sans la dispersion de ces rayons</translation>
+            <source>Relative L2 error of the image at this iteration, by the independent check, without ray noise</source>
+            <translation>Erreur L2 relative de l'image à cette itération, par la vérification indépendante, sans bruit de rayons</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the design on show, by an independent trace with rays that the design never saw; the scatter of these rays is left out. The log tells more</source>
-            <translation>Erreur L2 relative de la conception affichée, par un tracé indépendant avec des rayons qu'elle n'a jamais vus ; sans la dispersion de ces rayons. Le journal en dit plus</translation>
+            <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
+            <translation>Erreur L2 relative de cette conception, par la vérification indépendante, sans bruit de rayons ; détails dans le journal</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are given for each</source>
-            <translation>L'écart de l'image à la cible, tel que la conception le voit (L2 relatif), et la part de lumière qui arrive où elle est voulue : sur l'écran, ou dans le champ lointain. De plusieurs images, les deux pour chacune</translation>
+            <source>Relative L2 error of the image as the optimiser computes it, and the fraction of the flux on the receiver; both for each image</source>
+            <translation>Erreur L2 relative de l'image calculée par l'optimiseur, et part du flux sur le récepteur ; pour chaque image</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4140,8 +4150,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>What the design makes as small as it can</source>
-            <translation>Ce que la conception rend aussi petit que possible</translation>
+            <source>Loss that the optimiser minimises</source>
+            <translation>Perte que l'optimiseur minimise</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4150,8 +4160,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Time left at the pace of the last seconds. Automatic ends sooner when nothing improves any more</source>
-            <translation>Temps restant au rythme des dernières secondes. Automatique s'arrête plus tôt quand rien ne s'améliore plus</translation>
+            <source>Remaining time at the current rate; the automatic method ends sooner without further gain</source>
+            <translation>Temps restant au rythme actuel ; la méthode automatique s'arrête plus tôt sans gain</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4165,8 +4175,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Each run that ends is kept here, to be compared with others and gone back to.</source>
-            <translation>Chaque exécution terminée est gardée ici, pour la comparer à d'autres et y revenir.</translation>
+            <source>Finished runs are listed here, to compare and restore them.</source>
+            <translation>Les exécutions terminées sont listées ici, pour les comparer et les rétablir.</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4175,13 +4185,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>What the run is called, with its light; a check mark draws its loss beside that of this run</source>
-            <translation>Le nom de l'exécution, avec sa lumière ; une coche dessine son coût à côté de celui de cette exécution</translation>
+            <source>Name and image of the run; tick it to plot its loss beside that of this run</source>
+            <translation>Nom et image de l'exécution ; cochez pour tracer sa perte à côté de celle de cette exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>The image that the light should draw: its file, or what it is</source>
-            <translation>L'image que la lumière doit dessiner : son fichier, ou ce qu'elle est</translation>
+            <source>Target image: file or built-in shape</source>
+            <translation>Image cible : fichier ou forme intégrée</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4190,8 +4200,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Relative L2 error of its best result, as the run saw it</source>
-            <translation>Erreur L2 relative de son meilleur résultat, telle que l'exécution l'a vue</translation>
+            <source>Relative L2 error of the best result, as the optimiser computes it</source>
+            <translation>Erreur L2 relative du meilleur résultat, calculée par l'optimiseur</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4200,8 +4210,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Relative L2 error of its result, by an independent trace with other rays</source>
-            <translation>Erreur L2 relative de son résultat, par un tracé indépendant avec d'autres rayons</translation>
+            <source>Relative L2 error of the result, by the independent check</source>
+            <translation>Erreur L2 relative du résultat, par la vérification indépendante</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4210,8 +4220,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Part of the light that lands on the screen, or in the far field</source>
-            <translation>Part de la lumière qui arrive sur l'écran, ou dans le champ lointain</translation>
+            <source>Fraction of the flux on the receiver</source>
+            <translation>Part du flux sur le récepteur</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4220,13 +4230,8 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Iterations</source>
-            <translation>Itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/table.py" />
-            <source>Iterations taken, those of runs that it continued included</source>
-            <translation>Itérations faites, y compris celles des exécutions poursuivies</translation>
+            <source>Iterations, including those of continued runs</source>
+            <translation>Itérations, y compris celles des exécutions poursuivies</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4245,13 +4250,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>How the result was searched for</source>
-            <translation>Comment le résultat a été cherché</translation>
+            <source>Design method</source>
+            <translation>Méthode de conception</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Loss of its best result, as the run saw it</source>
-            <translation>Coût de son meilleur résultat, tel que l'exécution l'a vu</translation>
+            <source>Loss of the best result</source>
+            <translation>Perte du meilleur résultat</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4280,13 +4285,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Give the design this run's task and result</source>
-            <translation>Donner à la conception la tâche et le résultat de cette exécution</translation>
+            <source>Restore task and result of this run</source>
+            <translation>Rétablir la tâche et le résultat de cette exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>Forget the chosen runs</source>
-            <translation>Oublier les exécutions choisies</translation>
+            <source>Delete the selected runs</source>
+            <translation>Supprimer les exécutions choisies</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4295,13 +4300,13 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>See two chosen runs beside each other: light, figures, fields</source>
-            <translation>Voir côte à côte deux exécutions choisies : lumière, chiffres, champs</translation>
+            <source>Compare irradiance, figures and fields of two selected runs</source>
+            <translation>Comparer éclairement, chiffres et champs de deux exécutions choisies</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
-            <source>The one of the design</source>
-            <translation>Celle de la conception</translation>
+            <source>Run of the current lens</source>
+            <translation>Exécution de la lentille actuelle</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4309,219 +4314,14 @@
             <translation>Un nom a au plus {count} caractères</translation>
         </message>
         <message>
-            <location filename="../../ui/shown/image_titles.py" />
+            <location filename="../../ui/shown/frame.py" />
             <source>Image {number}, {place}</source>
             <translation>Image {number}, {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/startup/unexpected_errors.py" />
-            <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
-            <translation>Quelque chose s'est mal passé qui n'aurait pas dû : {error}. Votre travail est encore là : enregistrez-le.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/startup/warm_up.py" />
-            <source>start</source>
-            <translation>démarrage</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/curve.py" />
-            <source>Verified error over the values</source>
-            <translation>Erreur vérifiée selon les valeurs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
-            <translation>Chaque valeur, ou chaque paire de valeurs de deux champs, reçoit sa propre conception, qui est vérifiée. Les sessions et un tableau (CSV, JSON) vont dans le dossier ; ce qui y est terminé n'est pas refait.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Verified error</source>
-            <translation>Erreur vérifiée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Light</source>
-            <translation>Lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Seconds</source>
-            <translation>Secondes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Sweep</source>
-            <translation>Série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Folder</source>
-            <translation>Dossier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>How far the sweep is</source>
-            <translation>Avancement de la série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>&amp;Open design</source>
-            <translation>&amp;Ouvrir la conception</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Open the session of the chosen row in the window</source>
-            <translation>Ouvrir la session de la ligne choisie dans la fenêtre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Choose a folder for the designs.</source>
-            <translation>Choisir un dossier pour les conceptions.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Asked for at the start</source>
-            <translation>Demandé au démarrage</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Choose the folder</source>
-            <translation>Choisir le dossier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>sweep</source>
-            <translation>série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>{count} of {wanted} designs</source>
-            <translation>{count} conceptions sur {wanted}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Designs of the sweep</source>
-            <translation>Conceptions de la série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
-            <translation>Entre virgules : nombres comme 1, 2.5, 3 ; entiers comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Field</source>
-            <translation>Champ</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Second field</source>
-            <translation>Second champ</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>Values of {field}</source>
-            <translation>Valeurs de {field}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/form.py" />
-            <source>now {value}</source>
-            <translation>actuellement {value}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/threads/failure.py" />
-            <source>The {work} ended with an {error}</source>
-            <translation>{work} : arrêt sur « {error} »</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Save…</source>
-            <translation>Enregistrer…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
-            <translation>Enregistrer le graphique (PNG, SVG), ou les chiffres de chaque lentille (CSV, JSON)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a whole number from 1 to {most} is needed</source>
-            <translation>un nombre entier de 1 à {most} est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a whole number from 0 is needed</source>
-            <translation>un nombre entier à partir de 0 est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>a finite number from 0 is needed</source>
-            <translation>un nombre fini à partir de 0 est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>over</source>
-            <translation>sur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Lenses</source>
-            <translation>Lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>How many are traced; more make the tail surer</source>
-            <translation>Combien sont tracées ; plus rendent la queue plus sûre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>Seed</source>
-            <translation>Graine</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>La même graine donne les mêmes lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Nothing is off: give a tilt, a decentre or another tolerance.</source>
-            <translation>Rien ne s'écarte : donner une inclinaison, un décentrement ou une autre tolérance.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>sample of tolerances</source>
-            <translation>échantillon de tolérances</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Trace no more; those that are traced count</source>
-            <translation>Ne plus tracer ; celles qui sont tracées comptent</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Perturb what is on show at random, and trace each with fresh rays</source>
-            <translation>Perturber au hasard ce qui est affiché, et tracer chacune avec des rayons nouveaux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>{count} of {wanted} lenses</source>
-            <translation>{count} lentilles sur {wanted}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
-            <translation>{done} : erreur de la conception {nominal:.2f} %, médiane {median:.2f} %, 95 % des lentilles sous {most:.2f} %, pire {worst:.2f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/pane.py" />
-            <source>Out of date: the lens has changed since.</source>
-            <translation>Périmé : la lentille a changé depuis.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/tolerances/spread_view.py" />
-            <source>How does the image change when lenses are a little off? Start traces some of them.</source>
-            <translation>Comment l'image change-t-elle quand les lentilles s'écartent un peu ? Démarrer en trace quelques-unes.</translation>
+            <location filename="../../ui/unexpected_errors.py" />
+            <source>Unexpected error: {error}. Save your work.</source>
+            <translation>Erreur inattendue : {error}. Enregistrez votre travail.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4530,13 +4330,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Choose it here, or click it in the 3D scene.</source>
-            <translation>Le choisir ici, ou le cliquer dans la scène 3D.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>Computed when the design rests…</source>
-            <translation>Calculé quand la conception est au repos…</translation>
+            <source>Choose a control point here, or click it in the 3D scene.</source>
+            <translation>Choisissez un point de contrôle ici, ou cliquez-le dans la scène 3D.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4550,8 +4345,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>There is no map of this point yet.</source>
-            <translation>Il n'y a pas encore de carte de ce point.</translation>
+            <source>The map is not computed yet.</source>
+            <translation>La carte n'est pas encore calculée.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4574,17 +4369,7 @@
             <translation>Somme : le flux sur l'écran change de {sum} par {unit}{part}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/face_choice.py" />
-            <source>Face</source>
-            <translation>Face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/face_choice.py" />
-            <source>Which of the freeform faces of the lens is meant</source>
-            <translation>Laquelle des faces de forme libre de la lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_curve.py" />
+            <location filename="../../ui/views/focus_view.py" />
             <source>Relative L2 error against the distance; the dotted line is the screen</source>
             <translation>Erreur L2 relative selon la distance ; la ligne pointillée est l'écran</translation>
         </message>
@@ -4595,8 +4380,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>A far field is at no distance: there is nothing to focus.</source>
-            <translation>Un champ lointain n'est à aucune distance : il n'y a rien à mettre au point.</translation>
+            <source>A far field has no distance to vary.</source>
+            <translation>Un champ lointain n'a pas de distance à varier.</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4605,8 +4390,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Look at the light before or behind the screen: half to one and a half times its distance. The scene stays as it is</source>
-            <translation>Regarder la lumière devant ou derrière l'écran : de la moitié à une fois et demie sa distance. La scène reste telle quelle</translation>
+            <source>Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is unchanged</source>
+            <translation>Montrer l'éclairement à 0,5 à 1,5 fois la distance de l'écran ; la scène est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4615,8 +4400,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Go back to the distance of the scene's screen</source>
-            <translation>Revenir à la distance de l'écran de la scène</translation>
+            <source>Return to the distance of the screen</source>
+            <translation>Revenir à la distance de l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4625,13 +4410,13 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Trace the light to many distances and draw the error against them</source>
-            <translation>Tracer la lumière à de nombreuses distances et dessiner l'erreur en fonction d'elles</translation>
+            <source>Plot the error against the distance</source>
+            <translation>Tracer l'erreur en fonction de la distance</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>traced when the design rests…</source>
-            <translation>tracé quand la conception est au repos…</translation>
+            <source>computed when the design rests…</source>
+            <translation>calculé quand la conception est au repos…</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4640,8 +4425,8 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>no light arrives there</source>
-            <translation>aucune lumière n'y arrive</translation>
+            <source>no flux arrives there</source>
+            <translation>aucun flux n'y arrive</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4660,52 +4445,22 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>The light there is traced when the design rests.</source>
-            <translation>La lumière y est tracée quand la conception est au repos.</translation>
+            <source>Computed when the design rests.</source>
+            <translation>Calculé quand la conception est au repos.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Moment of the run</source>
-            <translation>Moment de l'exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Look back at the design and its light at any moment of the run</source>
-            <translation>Revoir la conception et sa lumière à tout moment de l'exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>iteration {number}</source>
-            <translation>itération {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Go on from here</source>
-            <translation>Repartir d'ici</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/history_slider.py" />
-            <source>Take the design as it was at this moment, and continue from it; Undo brings the later one back</source>
-            <translation>Prendre la conception telle qu'à ce moment, et repartir de là ; Annuler ramène la suivante</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
-            <source>Which of the scene's images is shown</source>
-            <translation>Laquelle des images de la scène est affichée</translation>
+            <location filename="../../ui/views/image_link.py" />
+            <source>Choose the image to show</source>
+            <translation>Choisir l'image à afficher</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
-            <source>Value under the pointer</source>
-            <translation>Valeur sous le pointeur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_view.py" />
-            <source>beside the lens</source>
+            <source>outside the lens</source>
             <translation>à côté de la lentille</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
-            <source>beside the mirror</source>
+            <source>outside the mirror</source>
             <translation>à côté du miroir</translation>
         </message>
         <message>
@@ -4714,14 +4469,34 @@
             <translation>{value} à {x}, {y}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/light_image_view.py" />
+            <location filename="../../ui/views/light_images.py" />
+            <source>Draw a line</source>
+            <translation>Tracer une ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Drag across an image to draw the line of a cross-section; or use Shift and drag</source>
+            <translation>Glissez sur une image pour tracer la ligne d'une coupe ; ou Maj et glisser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>{side}: mirror-inverted</source>
+            <translation>{side} : inversé comme dans un miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours</source>
             <translation>Couleurs logarithmiques</translation>
         </message>
         <message>
-            <location filename="../../ui/views/light_image_view.py" />
-            <source>Logarithmic colours, over three decades: stray light is seen</source>
-            <translation>Couleurs logarithmiques, sur trois décades : la lumière parasite se voit</translation>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Logarithmic colours over three decades, to see stray light</source>
+            <translation>Couleurs logarithmiques sur trois décades, pour voir la lumière parasite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>The target, scaled to the flux that arrives: where the irradiance is right, both have the same colour. The light account shows where lost light goes.</source>
+            <translation>La cible, mise à l'échelle du flux qui arrive : où l'éclairement est juste, les deux ont la même couleur. Le bilan de lumière montre où va la lumière perdue.</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_view.py" />
@@ -4730,8 +4505,33 @@
         </message>
         <message>
             <location filename="../../ui/views/light_view.py" />
-            <source>The parts together; the account is complete when this is 100 %.</source>
-            <translation>Les parts ensemble ; le bilan est complet si cela fait 100 %.</translation>
+            <source>Sum of all parts; 100 % when the account is complete.</source>
+            <translation>Somme de toutes les parts ; 100 % si le bilan est complet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Iteration of the run</source>
+            <translation>Itération de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Show the design at an earlier iteration of the run</source>
+            <translation>Montrer la conception à une itération antérieure de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>iteration {number}</source>
+            <translation>itération {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Continue from here</source>
+            <translation>Continuer d'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
+            <translation>Rétablir la conception de cette itération et continuer ; Annuler rétablit la suivante</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4740,8 +4540,8 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
-            <source>What the loss is drawn against, and how</source>
-            <translation>En fonction de quoi le coût est dessiné, et comment</translation>
+            <source>Axes of the plot</source>
+            <translation>Axes du graphique</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4765,17 +4565,17 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
-            <source>The loss is drawn here while a design runs. Run &gt; Start begins one.</source>
-            <translation>Le coût est dessiné ici pendant une conception. Exécution &gt; Démarrer en lance une.</translation>
+            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
+            <translation>La perte d'une exécution est tracée ici. Exécution &gt; Démarrer en lance une.</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>predict the photo</source>
+            <source>photo prediction</source>
             <translation>prédiction de la photo</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>There is no lens yet: Start designs one.</source>
+            <source>There is no lens yet. Start designs one.</source>
             <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une.</translation>
         </message>
         <message>
@@ -4795,8 +4595,8 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>What the lens is lit by: as its source suggests (daylight from infinitely far, a laser as a Gaussian beam, else an LED), or another light</source>
-            <translation>Ce qui éclaire la lentille : selon sa source (lumière du jour de l'infini, laser pour un faisceau gaussien, sinon une LED), ou une autre lumière</translation>
+            <source>Light of the photo: that of the source (daylight for collimated light, a laser for a Gaussian beam, otherwise an LED), or another one</source>
+            <translation>Lumière de la photo : celle de la source (lumière du jour si collimatée, laser si faisceau gaussien, sinon LED), ou une autre</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4810,8 +4610,8 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Exposure in stops: one more makes all twice as bright</source>
-            <translation>Exposition en diaphragmes : un de plus rend tout deux fois plus clair</translation>
+            <source>Exposure in stops; each stop doubles the brightness</source>
+            <translation>Exposition en diaphragmes ; chacun double la luminosité</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4820,36 +4620,36 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>The usual exposure: the target's brightest pixel is white</source>
-            <translation>L'exposition usuelle : le pixel le plus clair de la cible est blanc</translation>
+            <source>Default exposure: the target's brightest pixel is white</source>
+            <translation>Exposition par défaut : le pixel le plus clair de la cible est blanc</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Usual exposure</source>
-            <translation>Exposition usuelle</translation>
+            <source>Default exposure</source>
+            <translation>Exposition par défaut</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Out of date: of the lens before. </source>
-            <translation>Périmé : de la lentille précédente. </translation>
+            <source>Outdated. </source>
+            <translation>Obsolète. </translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>The first picture of this design comes in a moment.</source>
-            <translation>La première image de cette conception arrive dans un instant.</translation>
+            <source>The image is being computed.</source>
+            <translation>L'image est en cours de calcul.</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>There is too little room here for a picture.</source>
-            <translation>Il y a trop peu de place ici pour une image.</translation>
+            <source>Too little space for a plot.</source>
+            <translation>Trop peu de place pour un graphique.</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
-            <source>There is no picture of this design: its light cannot be traced.</source>
-            <translation>Il n'y a pas d'image de cette conception : sa lumière ne peut être tracée.</translation>
+            <source>There is no image: this design cannot be traced.</source>
+            <translation>Il n'y a pas d'image : cette conception ne peut pas être tracée.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/region_marks.py" />
+            <location filename="../../ui/views/region_tool.py" />
             <source>least / mean {number:.2f}</source>
             <translation>minimum / moyenne {number:.2f}</translation>
         </message>
@@ -4874,28 +4674,13 @@
             <translation>Courbure moyenne</translation>
         </message>
         <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>Draw a line</source>
-            <translation>Tracer une ligne</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>Drag across an image to draw the line of a cross-section; Shift and drag does so too</source>
-            <translation>Tirer à travers une image pour dessiner la ligne d'une coupe ; Maj et tirer aussi</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/screen_image_view.py" />
-            <source>{side}: mirror-inverted</source>
-            <translation>{side} : inversé comme dans un miroir</translation>
-        </message>
-        <message>
             <location filename="../../ui/views/section_view.py" />
-            <source>Where the screen is cut: along x or y through the place that is clicked in an image,
-or along a line that is drawn across one with Shift and drag.
-Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line</source>
-            <translation>Où l'écran est coupé : selon x ou y par l'endroit cliqué dans une image,
-ou selon une ligne dessinée à travers une image avec Maj et tirer.
-Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl, le bout de la ligne</translation>
+            <source>Cross-section along x or y through the point clicked in an image,
+or along a line drawn with Shift and drag.
+Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
+            <translation>Coupe selon x ou y par le point cliqué dans une image,
+ou selon une ligne tracée avec Maj et glisser.
+Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl le bout de la ligne</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
@@ -4925,19 +4710,29 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
 {tip}</translation>
         </message>
         <message>
-            <location filename="../../ui/views/target_view.py" />
-            <source>The target with as much light as arrives: where the irradiance is right, both have the same colour, however much light is lost on the way. The light account tells where that goes.</source>
-            <translation>La cible avec autant de lumière qu'il en arrive : où l'éclairement est juste, les deux ont la même couleur, quelle que soit la lumière perdue en route. Le bilan de lumière dit où elle va.</translation>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>Face</source>
+            <translation>Face</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/log_view.py" />
-            <source>What runs, checks and exports tell is written here.</source>
-            <translation>Ce que disent exécutions, vérifications et exports s'écrit ici.</translation>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>Choose the freeform face</source>
+            <translation>Choisir la face de forme libre</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/message_bar.py" />
+            <location filename="../../ui/widgets/labels.py" />
+            <source>Outdated: the design has changed</source>
+            <translation>Obsolète : la conception a changé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/messages.py" />
             <source>Close this message</source>
             <translation>Fermer ce message</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/messages.py" />
+            <source>Messages of runs, checks and exports appear here.</source>
+            <translation>Les messages des exécutions, vérifications et exports apparaissent ici.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
@@ -4961,8 +4756,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
-            <source>The receivers cover different places: nothing to subtract.</source>
-            <translation>Les récepteurs couvrent des endroits différents : rien à soustraire.</translation>
+            <source>The receivers differ: no difference image.</source>
+            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
@@ -5025,18 +4820,143 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{axis} à {place}</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/veil.py" />
-            <source>Outdated: this is the design before the change</source>
-            <translation>Obsolète : c'est la conception avant la modification</translation>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens does not fit the new outline. Start designs another one; Undo restores it.</source>
+            <translation>La lentille ne convient pas au nouveau contour. Démarrer en conçoit une autre ; Annuler la rétablit.</translation>
         </message>
         <message>
-            <location filename="../../ui/window/early_parts.py" />
-            <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
-            <translation>L'exécution attend ses noyaux de tracé : ils sont compilés une fois après l'installation, pendant une demi-minute environ</translation>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror does not fit the new outline. Start designs another one; Undo restores it.</source>
+            <translation>Le miroir ne convient pas au nouveau contour. Démarrer en conçoit un autre ; Annuler le rétablit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face is freeform now, and still flat. Continue shapes both faces; Undo reverts.</source>
+            <translation>La face d'entrée est maintenant de forme libre, encore plane. Continuer façonne les deux faces ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face is flat now; the exit face is unchanged. Continue reshapes the exit face; Undo reverts.</source>
+            <translation>La face d'entrée est maintenant plane ; la face de sortie est inchangée. Continuer refaçonne la face de sortie ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
+            <translation>La lentille a été modifiée de {moved} au plus pour respecter les nouvelles limites. Continuer l'améliore ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
+            <translation>Le miroir a été modifié de {moved} au plus pour respecter les nouvelles limites. Continuer l'améliore ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The net now has {size} control points; the lens was transferred to it. Continue improves it; Undo reverts.</source>
+            <translation>Le réseau a maintenant {size} points de contrôle ; la lentille y a été transférée. Continuer l'améliore ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The net now has {size} control points; the mirror was transferred to it. Continue improves it; Undo reverts.</source>
+            <translation>Le réseau a maintenant {size} points de contrôle ; le miroir y a été transféré. Continuer l'améliore ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens was designed for another task. Continue starts from it; Start over does not</source>
+            <translation>La lentille a été conçue pour une autre tâche. Continuer part d'elle ; Recommencer non</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror was designed for another task. Continue starts from it; Start over does not</source>
+            <translation>Le miroir a été conçu pour une autre tâche. Continuer part de lui ; Recommencer non</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source> ({count} more refused)</source>
+            <translation> ({count} autres refusés)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{first}{others}. Correct it, or press Esc.</source>
+            <translation>{first}{others}. Corrigez, ou appuyez sur Échap.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Stop and apply</source>
+            <translation>Arrêter et appliquer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Discard</source>
+            <translation>Abandonner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{name} is unchanged on {size} control points.</source>
+            <translation>{name} est inchangé(e) sur {size} points de contrôle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Use {size}, exact</source>
+            <translation>Utiliser {size}, exact</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{name} is approximated on {size} control points: deviation up to {off}. Continue improves it; Undo reverts.</source>
+            <translation>{name} est approché(e) sur {size} points de contrôle : écart jusqu'à {off}. Continuer améliore ; Annuler y revient.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>control points</source>
+            <translation>points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The lens</source>
+            <translation>La lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The mirror</source>
+            <translation>Le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>The entrance face</source>
+            <translation>La face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>{image} has changed on disk. The design keeps the earlier picture.</source>
+            <translation>{image} a changé sur le disque. La conception garde l'image précédente.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Reload</source>
+            <translation>Recharger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>All lengths were converted: 1 {old} = {ratio:.6g} {new}.</source>
+            <translation>Toutes les longueurs ont été converties : 1 {old} = {ratio:.6g} {new}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>Keep the numbers</source>
+            <translation>Garder les nombres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
+            <source>change of unit alone</source>
+            <translation>changement d'unité seul</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layout.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
-            <source>Stop the run first; then mark regions.</source>
+            <source>Stop the run first, then mark regions.</source>
             <translation>Arrêtez d'abord le calcul, puis marquez les régions.</translation>
         </message>
         <message>
@@ -5045,9 +4965,154 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Annu&amp;ler la vérification</translation>
         </message>
         <message>
-            <location filename="../../ui/window/view_state.py" />
-            <source>The {what} kept with this design cannot be shown again: {error}</source>
-            <translation>Ce qui était gardé avec cette conception ne peut être remontré ({what}) : {error}</translation>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Refine and start over</source>
+            <translation>Affiner et recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>automatic control points</source>
+            <translation>points de contrôle automatiques</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The run goes on within them.</source>
+            <translation>L'exécution continue dans ces limites.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Stop and widen</source>
+            <translation>Arrêter et élargir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Widen</source>
+            <translation>Élargir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Continue</source>
+            <translation>Continuer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>automatic height range</source>
+            <translation>plage de hauteur automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>wider height range</source>
+            <translation>plage de hauteur plus large</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>wider entrance range</source>
+            <translation>plage d'entrée plus large</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The height range is automatic now</source>
+            <translation>La plage de hauteur est maintenant automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>La plage de hauteur est désormais de {low:.3g} à {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>La plage d'entrée est désormais de {low:.3g} à {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{change}; the lens is unchanged. Start over usually gives the better result.</source>
+            <translation>{change} ; la lentille est inchangée. Recommencer donne en général le meilleur résultat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{change}; the mirror is unchanged. Start over usually gives the better result.</source>
+            <translation>{change} ; le miroir est inchangé. Recommencer donne en général le meilleur résultat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>Start over</source>
+            <translation>Recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>search for total reflection</source>
+            <translation>recherche de réflexion totale</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/run_notices.py" />
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is only one freeform face; Freeform entrance face adds a second one</source>
+            <translation>Il y a une face de forme libre : « Face d'entrée de forme libre » en donne une seconde à une lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Not possible during a run. Stop it first</source>
+            <translation>Impossible pendant une exécution. Arrêtez-la d'abord</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Flat &amp;entrance face</source>
+            <translation>Face d'entrée &amp;plane</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Freeform &amp;entrance face</source>
+            <translation>Face d'entrée d&amp;e forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Start over</source>
+            <translation>Reco&amp;mmencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Resume</source>
+            <translation>R&amp;eprendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is no lens yet; Start designs one</source>
+            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>There is no mirror yet; Start designs one</source>
+            <translation>Il n'y a pas encore de miroir : Démarrer en conçoit un</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>the best lens so far</source>
+            <translation>la meilleure lentille jusqu'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>the best mirror so far</source>
+            <translation>le meilleur miroir jusqu'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Uses {lens}</source>
+            <translation>Utilise : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>A lens has one freeform face</source>
+            <translation>Une lentille a une face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>A mirror has one freeform face</source>
+            <translation>Un miroir a une face de forme libre</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -5086,13 +5151,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Stopped: {command} ({keys}) can make the lens better</source>
-            <translation>Arrêté : {command} ({keys}) peut améliorer la lentille</translation>
+            <source>Done: no further gain</source>
+            <translation>Terminé : plus de gain</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Stopped: {command} ({keys}) can make the mirror better</source>
-            <translation>Arrêté : {command} ({keys}) peut améliorer le miroir</translation>
+            <source>Stopped; {command} ({keys}) improves the lens</source>
+            <translation>Arrêté ; {command} ({keys}) améliore la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped; {command} ({keys}) improves the mirror</source>
+            <translation>Arrêté ; {command} ({keys}) améliore le miroir</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -5106,8 +5176,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
-            <source>A click goes back or forth to that step</source>
-            <translation>Un clic revient ou avance à cette étape</translation>
+            <source>Click a step to restore it</source>
+            <translation>Cliquez une étape pour la rétablir</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -5115,9 +5185,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>La scène 3D est cachée. Affichage &gt; Scène 3D la remontre.</translation>
         </message>
         <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
+            <translation>L'exécution attend la compilation de ses noyaux (une fois après l'installation, une demi-minute)</translation>
+        </message>
+        <message>
             <location filename="../../ui/windows.py" />
-            <source>{name} is open with the unsaved changes that were recovered.</source>
-            <translation>{name} est ouvert avec les modifications non enregistrées récupérées.</translation>
+            <source>start</source>
+            <translation>démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>{name} is open with the recovered changes.</source>
+            <translation>{name} est ouvert avec les modifications récupérées.</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
@@ -5256,6 +5336,26 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Missed the diffuser</source>
+            <translation>Passée à côté du diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the diffuser by.</source>
+            <translation>La lumière qui manque le diffuseur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed by the diffuser</source>
+            <translation>Absorbée par le diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part of the light on the diffuser that does not go on behind it.</source>
+            <translation>La part de la lumière sur le diffuseur qui ne continue pas derrière lui.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>far field</source>
             <translation>champ lointain</translation>
         </message>
@@ -5386,8 +5486,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
-            <translation>Longueur d'onde dans le vide à laquelle sont pris les indices des matériaux. Vide : 0.5876 µm (raie d de l'hélium).</translation>
+            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d), or the mean of the spectrum.</source>
+            <translation>Longueur d'onde dans le vide des indices des matériaux. Vide : 0.5876 µm (hélium d), ou la moyenne du spectre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spectrum</source>
+            <translation>Spectre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Up to 16 lines of light in place of one wavelength: wavelength in µm and part of the flux, as in 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Each line is traced with its own refractive indices, and an image is the sum of all lines. The parts may have any sum.</source>
+            <translation>Jusqu'à 16 raies au lieu d'une longueur d'onde : longueur d'onde en µm et part du flux, comme 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Chaque raie est tracée avec ses propres indices, et une image est la somme de toutes. Les parts peuvent avoir une somme quelconque.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5661,8 +5771,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
-            <translation>Lentilles et miroirs dans l'ordre où la lumière les rencontre. La lumière qui passe à côté de l'un d'eux y est perdue.</translation>
+            <source>Lenses, mirrors and diffusers in the order in which light meets them. Light that passes one by is lost there.</source>
+            <translation>Lentilles, miroirs et diffuseurs dans l'ordre où la lumière les rencontre. La lumière qui en manque un y est perdue.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6008,6 +6118,61 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
             <translation>À quelle distance le dos plan de la plaque est derrière le point le plus haut du miroir, dans les exports de la plaque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diffuser</source>
+            <translation>Diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One plane that scatters light onwards: the last element of a train.</source>
+            <translation>Un plan qui diffuse la lumière vers l'avant : le dernier élément d'une suite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Scatter</source>
+            <translation>Diffusion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In which directions the light goes on behind the plane.</source>
+            <translation>Dans quelles directions la lumière continue derrière le plan.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gaussien</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light is scattered about the direction in which it would go on.</source>
+            <translation>La lumière est diffusée autour de la direction dans laquelle elle continuerait.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sigma</source>
+            <translation>Sigma</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far light is scattered: the radiant intensity of a narrow beam behind the diffuser falls as exp(−θ²/2σ²) with the angle θ to the beam. For small σ it is the standard deviation of the angle along each axis. The full width at half maximum, which data sheets state, is 2.355 σ.</source>
+            <translation>L'étendue de la diffusion : l'intensité énergétique d'un faisceau étroit derrière le diffuseur décroît comme exp(−θ²/2σ²) avec l'angle θ au faisceau. Pour σ petit, c'est l'écart type de l'angle selon chaque axe. La largeur à mi-hauteur des fiches techniques est 2.355 σ.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light leaves with the same radiance in all directions, wherever it comes from.</source>
+            <translation>La lumière sort avec la même luminance dans toutes les directions, d'où qu'elle vienne.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Transmittance</source>
+            <translation>Facteur de transmission</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that goes on behind the diffuser, at all angles of incidence. It absorbs the rest, or reflects it.</source>
+            <translation>Part de la lumière qui continue derrière le diffuseur, à tous les angles d'incidence. Il absorbe ou réfléchit le reste.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6373,11 +6538,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
             <translation>Comment la lumière d'un rayon est répartie entre pixels, par la méthode de l'article et dans les cartes de dérivées. Automatique n'a pas de filtre.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Gaussian</source>
-            <translation>Gaussien</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7046,6 +7206,26 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>misses the diffuser</source>
+            <translation>manque le diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger diffuser catches it</source>
+            <translation>un diffuseur plus grand la capte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the diffuser</source>
+            <translation>est absorbé par le diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a diffuser with a higher transmittance lets it through</source>
+            <translation>un diffuseur de plus grande transmission la laisse passer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>body of glass</source>
             <translation>corps de verre</translation>
         </message>
@@ -7385,22 +7565,22 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>échec : {why}</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the check contradicts itself: {cells:.4g} % of the light on the receiver by cells, {rays:.4g} % by random rays; no figure of this check is reliable</source>
             <translation>la vérification se contredit : {cells:.4g} % de la lumière sur le récepteur par cellules, {rays:.4g} % par rayons aléatoires ; aucune valeur de cette vérification n'est fiable</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the check contradicts itself: the images by cells and by random rays are {apart:.3g} % apart, which noise and error bound do not explain; no figure of this check is reliable</source>
             <translation>la vérification se contredit : les images par cellules et par rayons aléatoires sont à {apart:.3g} % l'une de l'autre, ce que bruit et borne d'erreur n'expliquent pas ; aucune valeur de cette vérification n'est fiable</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the run finds {run:.4g} % of the light on the receiver, the check {check:.4g} %: use the figures of the check</source>
             <translation>le calcul trouve {run:.4g} % de la lumière sur le récepteur, la vérification {check:.4g} % : utiliser les valeurs de la vérification</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/agreement.py" />
+            <location filename="../../workbench/analysis/by_cells.py" />
             <source>the image of the run is {apart:.3g} % off the image of the check: use the figures of the check</source>
             <translation>l'image du calcul s'écarte de {apart:.3g} % de celle de la vérification : utiliser les valeurs de la vérification</translation>
         </message>
@@ -7418,11 +7598,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>off by up to {off:g} %, not {wanted:.2g} %: {why}</source>
             <translation>jusqu'à {off:g} % d'écart, et non {wanted:.2g} % : {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/cells/image.py" />
-            <source>no light of this lens reaches the screen, so there is no image to judge</source>
-            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/cross_check.py" />
@@ -7455,9 +7630,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>1 compte les rayons par pixel, ce qui n'a pas de dérivée ; 3 ou plus</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_elements.py" />
+            <source>Mitsuba is given no {kind}; leave it out to compare</source>
+            <translation>Mitsuba ne connaît pas {kind} ; l'omettre pour comparer</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/light.py" />
             <source>laser of {wavelength:g} µm</source>
             <translation>laser de {wavelength:g} µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>the spectrum of the source</source>
+            <translation>le spectre de la source</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/light.py" />
@@ -7513,6 +7698,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
             <translation>{part:.3f} % de la lumière, {lumens}, moyenne {mean}, minimum {least}, maximum {most}, minimum / moyenne {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/sensitivity.py" />
+            <source>no number; a number as in lens.thickness is needed</source>
+            <translation>pas un nombre ; un nombre comme dans lens.thickness est nécessaire</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />
@@ -7601,6 +7791,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; a train has no such error, 0</source>
+            <translation>{size:g} ; une suite n'a pas une telle erreur, 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
             <translation>{size:g} ; au moins 0, moins de {room:g}, {otherwise}</translation>
         </message>
@@ -7613,11 +7808,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/tracing/trace.py" />
             <source>{rays} are too many; at most {most}</source>
             <translation>{rays} sont de trop ; au plus {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/tracing/train.py" />
-            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
-            <translation>un récepteur à z = {z:g} peut toucher l'élément {name} ; plus de {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7633,6 +7823,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
             <translation>les cellules s'écartent de jusqu'à {bound:.2g} %, plus que les rayons aléatoires : demander plus de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>no light of this lens reaches the screen, so there is no image to judge</source>
+            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7813,6 +8008,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/run.py" />
             <source>control points: {n_u} × {n_v}, chosen for this task</source>
             <translation>points de contrôle : {n_u} × {n_v}, choisis pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/scattered_plan.py" />
+            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>le diffuseur l'étale sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -8031,6 +8231,41 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/files/entries.py" />
+            <source>holds a value that is NaN or infinite; finite values are needed</source>
+            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
+            <translation>contient une valeur qui n'est ni 0 ni 1 ; il faut faux ou vrai</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds {dtype}; {kind} is needed</source>
+            <translation>contient {dtype} ; il faut {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has shape {found}; the scene needs {shape}</source>
+            <translation>est de forme {found} ; la scène demande {shape}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is in Fortran order; C order is needed</source>
+            <translation>est dans l'ordre Fortran ; il faut l'ordre C</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has {given} bytes of values; shape {shape} needs {size}</source>
+            <translation>a {given} octets de valeurs ; la forme {shape} en demande {size}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is no .npy array: its header cannot be read</source>
+            <translation>n'est pas un tableau .npy : son en-tête est illisible</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
             <source>does not belong into this session</source>
             <translation>n'a pas sa place dans cette session</translation>
         </message>
@@ -8068,6 +8303,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/files/entries.py" />
             <source>is a damaged or incomplete zip: {detail}</source>
             <translation>est un zip endommagé ou incomplet : {detail}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
+            <source>a conic front face of the designed element is not exported; a plane one</source>
+            <translation>une face avant conique de l'élément conçu n'est pas exportée ; une plane</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/far_light.py" />
@@ -8156,8 +8396,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
-            <source>the {face} face is flat, so it has no file</source>
-            <translation>la face « {face} » est plane, elle n'a donc pas de fichier</translation>
+            <source>the entrance face is not freeform, so it has no file</source>
+            <translation>la face d'entrée n'est pas de forme libre et n'a pas de fichier</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
@@ -8195,46 +8435,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>est trop imbriqué ; au plus {most} niveaux sont conservés</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/json_text.py" />
-            <source>is given twice; each field can be there once</source>
-            <translation>est donné deux fois ; chaque champ peut y être une fois</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds a value that is NaN or infinite; finite values are needed</source>
-            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
-            <translation>contient une valeur qui n'est ni 0 ni 1 ; il faut faux ou vrai</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>holds {dtype}; {kind} is needed</source>
-            <translation>contient {dtype} ; il faut {kind}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>has shape {found}; the scene needs {shape}</source>
-            <translation>est de forme {found} ; la scène demande {shape}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>is in Fortran order; C order is needed</source>
-            <translation>est dans l'ordre Fortran ; il faut l'ordre C</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>has {given} bytes of values; shape {shape} needs {size}</source>
-            <translation>a {given} octets de valeurs ; la forme {shape} en demande {size}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/npy.py" />
-            <source>is no .npy array: its header cannot be read</source>
-            <translation>n'est pas un tableau .npy : son en-tête est illisible</translation>
-        </message>
-        <message>
             <location filename="../../workbench/files/scene.py" />
             <source>is no scene: it has more than {most} bytes</source>
             <translation>n'est pas une scène : plus de {most} octets</translation>
@@ -8248,6 +8448,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/files/scene.py" />
             <source>{name!r} is no text and cannot be kept in one</source>
             <translation>{name!r} n'est pas un texte et ne peut y être conservé</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is given twice; each field can be there once</source>
+            <translation>est donné deux fois ; chaque champ peut y être une fois</translation>
         </message>
         <message>
             <location filename="../../workbench/files/session.py" />
@@ -8306,13 +8511,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>By a coarse design of this task.</source>
+            <source>From a coarse design of this task.</source>
             <translation>D'après une conception grossière de cette tâche.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>No light arrives in a coarse design of this task.</source>
-            <translation>Dans une conception grossière de cette tâche, aucune lumière n'arrive.</translation>
+            <source>No flux arrives in a coarse design of this task.</source>
+            <translation>Aucun flux n'arrive dans une conception grossière de cette tâche.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8331,23 +8536,23 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>By a coarse design of this task, with all losses of light and the size of the source.</source>
-            <translation>D'après une conception grossière de cette tâche, avec toutes les pertes de lumière et la taille de la source.</translation>
+            <source>From a coarse design of this task, with losses and source size.</source>
+            <translation>D'après une conception grossière de cette tâche, avec pertes et taille de source.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Blur of the light</source>
-            <translation>Flou de la lumière</translation>
+            <source>Finest detail</source>
+            <translation>Détail le plus fin</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light comes from one point or direction.</source>
-            <translation>La lumière vient d'un point ou d'une direction.</translation>
+            <source>The source has no size.</source>
+            <translation>La source est sans étendue.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{count:.0f} details fit side by side into the image.</source>
-            <translation>{count:.0f} détails tiennent côte à côte dans l'image.</translation>
+            <source>{across:.0f} × {up:.0f} dots in the image.</source>
+            <translation>{across:.0f} × {up:.0f} points dans l'image.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8366,8 +8571,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{law}: finer details cannot be sharp, and no ray tracer shows that.</source>
-            <translation>{law} : des détails plus fins ne peuvent être nets, et aucun tracé de rayons ne le montre.</translation>
+            <source>{law}: limit of sharpness, which ray tracing does not include.</source>
+            <translation>{law} : limite de netteté, que le tracé de rayons n'inclut pas.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8376,33 +8581,33 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{slope:.0f}°, light turns by up to {turn:.0f}°</source>
+            <source>{slope:.0f}°, deflection up to {turn:.0f}°</source>
             <translation>{slope:.0f}°, déviation jusqu'à {turn:.0f}°</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>light would have to turn by {turn:.0f}°</source>
-            <translation>la lumière devrait être déviée de {turn:.0f}°</translation>
+            <source>a deflection of {turn:.0f}° would be needed</source>
+            <translation>une déviation de {turn:.0f}° serait nécessaire</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The lens turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
-            <translation>La lentille la dévie de {most:.0f}° au plus : une image plus petite, plus de distance ou une autre place de la lumière aide.</translation>
+            <source>The lens deflects by {most:.0f}° at most. Use a smaller image, more distance or another source position.</source>
+            <translation>La lentille dévie de {most:.0f}° au plus. Utilisez une image plus petite, plus de distance ou une autre position de source.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The mirror turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
-            <translation>Le miroir la dévie de {most:.0f}° au plus : une image plus petite, plus de distance ou une autre place de la lumière aide.</translation>
+            <source>The mirror deflects by {most:.0f}° at most. Use a smaller image, more distance or another source position.</source>
+            <translation>Le miroir dévie de {most:.0f}° au plus. Utilisez une image plus petite, plus de distance ou une autre position de source.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>{most:.0f}° is the most; so near to it much light is reflected.</source>
-            <translation>{most:.0f}° est le maximum ; si près, beaucoup de lumière est réfléchie.</translation>
+            <source>Near the limit of {most:.0f}° much light is reflected.</source>
+            <translation>Près de la limite de {most:.0f}°, beaucoup de lumière est réfléchie.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Up to {most:.0f}° would be possible.</source>
-            <translation>Jusqu'à {most:.0f}° serait possible.</translation>
+            <source>Limit of the deflection: {most:.0f}°.</source>
+            <translation>Limite de la déviation : {most:.0f}°.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8526,8 +8731,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>All of it can be changed in the window.</source>
-            <translation>Tout peut être changé dans la fenêtre.</translation>
+            <source>Can be changed later in the window.</source>
+            <translation>Modifiable plus tard dans la fenêtre.</translation>
         </message>
         <message>
             <location filename="../../workbench/materials.py" />
@@ -8931,6 +9136,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
+            <source>{count} lines of light, each with its own refractive indices</source>
+            <translation>{count} raies, chacune avec ses propres indices</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
         </message>
@@ -9045,6 +9255,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/diffuser.py" />
+            <source>the diffuser</source>
+            <translation>le diffuseur</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/element.py" />
             <source>'auto' needs a target to choose for; numbers</source>
             <translation>'auto' demande une cible pour choisir ; des nombres</translation>
@@ -9106,6 +9321,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
+            <source>the entrance face</source>
+            <translation>la face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
             <source>a front face is designed together with the back face; 'bspline', not fixed</source>
             <translation>une face avant se conçoit avec la face arrière ; 'bspline', non fixe</translation>
         </message>
@@ -9158,6 +9378,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/scene/measured_source.py" />
             <source>'{file}' is none of these: {endings}</source>
             <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/mirror.py" />
+            <source>the mirror</source>
+            <translation>le miroir</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/part.py" />
@@ -9270,6 +9495,21 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{z:g} peut toucher le miroir ou être derrière lui ; moins de {most:g}, le plus bas qu'il puisse atteindre</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} raies sont données ; 1 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spectrum.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>toutes les parts du flux sont 0 ; une au-dessus de 0</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/stages.py" />
             <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
             <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
@@ -9296,48 +9536,78 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>the element is not upright, which {who} cannot take into account; 0</source>
+            <translation>l'élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>'diffuser', which {who} cannot take into account; none</source>
+            <translation>'diffuser', ce que {who} ne peut pas prendre en compte ; aucun</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>'{name}' is the name of another element; another name</source>
             <translation>'{name}' est le nom d'un autre élément ; un autre nom</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>aucune face n'est à concevoir ; une face de forme 'bspline'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>a second designed element; one element is designed</source>
-            <translation>un second élément à concevoir ; un seul élément est conçu</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>light leaves {name} at {angle:.0f} degrees from the z axis, too far for a far field; at most {most:g}, or a plane</source>
+            <translation>la lumière quitte {name} à {angle:.0f} degrés de l'axe z, trop pour un champ lointain ; au plus {most:g}, ou un plan</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
+            <translation>un récepteur à z = {z:g} peut toucher l'élément {name} ; plus de {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>a receiver at {place} may touch the element {name}, or gets none of its light; farther along the light, and across it</source>
+            <translation>un récepteur en {place} peut toucher l'élément {name}, ou n'en reçoit pas de lumière ; plus loin le long de la lumière, et en travers</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>fixed B-spline faces are not traced yet; a conic face</source>
             <translation>les faces B-spline fixes ne sont pas encore tracées ; une face conique</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>a mirror that is not designed is not traced yet</source>
-            <translation>un miroir qui n'est pas à concevoir n'est pas encore tracé</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as where it is turned by 180 degrees about its x</source>
+            <translation>la lumière arrive au dos de {name}, à {angle:.0f} degrés de son z ; moins de 90, par exemple après une rotation de 180 degrés autour de son x</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>elements behind a mirror are not traced yet; none</source>
-            <translation>les éléments derrière un miroir ne sont pas encore tracés ; aucun</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
+            <translation>'{name}' est derrière le diffuseur {diffuser} ; placez le diffuseur à la fin</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>the first and the designed element stand upright on the axis; 0</source>
-            <translation>le premier élément et celui à concevoir sont droits sur l'axe ; 0</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
+            <translation>derrière un diffuseur lambertien, toutes les lentilles donnent le même champ lointain ; 'plane', ou {field}: 'gaussian'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>not parallel to the Lambertian diffuser {name}; its tilt</source>
+            <translation>pas parallèle au diffuseur lambertien {name} ; son inclinaison</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train_checks.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
             <translation>{z:g} empiète sur {name} ; au moins {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; one</source>
-            <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
+            <location filename="../../workbench/scene/train_checks.py" />
+            <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
+            <translation>{place} n'est pas où va la lumière de {name} ; {by:g} plus loin le long de son axe</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />

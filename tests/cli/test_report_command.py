@@ -159,16 +159,16 @@ class TestHtml:
             ("uniformity", "uniformity"),
             ("contrast", "contrast"),
             ("efficiency", "efficiency"),
-            ("off the optimiser's image", "optimiser_difference"),
+            ("difference to the optimiser", "optimiser_difference"),
         ):
             assert number(found[name]) == pytest.approx(check[key], rel=1e-3, abs=1e-5), name
         exact = check["deterministic"]
         assert number(found["verified error"]) == pytest.approx(exact["relative_l2"], abs=1e-5)
-        assert found["cells"] == " × ".join(map(str, exact["cells"]))
+        assert found["beam mesh"] == " × ".join(map(str, exact["cells"]))
         times = f"{exact['difference_over_noise']:.2f} times their noise"
-        assert found["random rays are off by"].endswith(f" %, {times}")
+        assert found["difference of random rays"].endswith(f" %, {times}")
         low, high = check["relative_l2_interval"]
-        assert found["95 % of other rays"] == f"{100 * low:.3f} % to {100 * high:.3f} %"
+        assert found["95 % interval with noise"] == f"{100 * low:.3f} % to {100 * high:.3f} %"
         assert found["rays"].replace(",", "") == str(check["rays"])
         light = check["ledger"]
         for name, key in (

@@ -44,8 +44,8 @@ def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(che
     high = found.by_cells.relative_l2_corrected_interval[1]
     assert rows["verified error"] == f"< {100 * high:.3f} %"
     assert rows["without ray noise"].startswith("< ")
-    assert "off" not in rows["cells"]
-    assert rows["error by independent images"].startswith("4,000 rays, 95 % confidence; off by up")
+    assert "off" not in rows["beam mesh"]
+    assert rows["error by image pairs"].startswith("4,000 rays, 95 % confidence; off by up")
 
 
 def test_so_says_the_command(checked, capsys):

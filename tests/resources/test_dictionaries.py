@@ -97,7 +97,7 @@ def test_fixed_sentences_of_the_engine_are_collected_from_its_code():
 
 def test_sentences_of_the_optic_are_there_for_each_optic():
     texts = dictionaries.keys()
-    assert {f"There is no {optic} yet: Start designs one" for optic in ("lens", "mirror")} <= {
+    assert {f"There is no {optic} yet; Start designs one" for optic in ("lens", "mirror")} <= {
         *texts
     }
     assert not [text for text in texts if "{optic}" in text or "{receiver}" in text]

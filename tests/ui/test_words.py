@@ -14,7 +14,7 @@ from ui.commands.choices import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.dialogs.start_page import StartPage
 from ui.widgets.plot_words import translate, translate_axes
-from ui.words import error_text, speak, spoken_by_system, tr
+from ui.words import error_text, set_language, system_language, tr
 from workbench.errors import Refused
 from workbench.jobs import JOBS
 from workbench.jobs.lenses import SunPlate
@@ -23,14 +23,14 @@ from workbench.jobs.lenses import SunPlate
 @pytest.fixture
 def speaking(qapp):
     """Speaks a language until the test ends."""
-    yield lambda language: speak(qapp, language)
-    speak(qapp, "en")
+    yield lambda language: set_language(qapp, language)
+    set_language(qapp, "en")
 
 
 def test_texts_are_english_without_a_dictionary():
     assert tr("{path} is written.") == "{path} is written."
-    assert tr("There is no {optic} yet: Start designs one", optic="mirror") == (
-        "There is no mirror yet: Start designs one"
+    assert tr("There is no {optic} yet; Start designs one", optic="mirror") == (
+        "There is no mirror yet; Start designs one"
     )
     assert tr("") == ""
 
@@ -88,7 +88,7 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
 )
 def test_the_system_chooses_the_first_language_that_there_is(monkeypatch, wanted, expected):
     monkeypatch.setattr(QLocale, "uiLanguages", lambda _: wanted)
-    assert spoken_by_system() == expected
+    assert system_language() == expected
 
 
 @pytest.mark.parametrize(

@@ -165,8 +165,8 @@ class Commands:
         return self._actions[name]
 
     def command(self, name: str) -> Command:
-        """The command of the table, in words for the element of the design."""
-        return COMMANDS[name].said_of(self._called)
+        """Return a command with its texts for the element of the design."""
+        return COMMANDS[name].in_words(self._called)
 
     def name_optic(self, called: str) -> None:
         """Set the name of the element in the words of commands."""
@@ -181,7 +181,6 @@ class Commands:
                 action.setStatusTip(words.tip)
 
     def connect(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Connect commands to functions and enable them."""
         for name, slot in slots.items():
             self[name].triggered.connect(lambda _, slot=slot: slot())
         self._open(slots.keys())
@@ -193,10 +192,7 @@ class Commands:
         self._open(slots.keys())
 
     def connect_choices(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Connect each of `CHOICES` to a function for when it is checked.
-
-        Functions of checked commands are called now.
-        """
+        """Connect each of `CHOICES` to a function, and call the functions of checked commands."""
         for name, slot in slots.items():
             self[name].toggled.connect(lambda on, slot=slot: slot() if on else None)
             if self[name].isChecked():
@@ -204,7 +200,6 @@ class Commands:
         self._open(slots.keys())
 
     def allow(self, allowed: Mapping[str, bool]) -> None:
-        """Enable or disable connected commands."""
         for name, allow in allowed.items():
             self[name].setEnabled(allow and name in self._connected)
 
@@ -215,12 +210,11 @@ class Commands:
             self[name].setToolTip(f"{tip}\n{sentence}" if sentence else tip)
 
     def reword(self, texts: Mapping[str, str]) -> None:
-        """Rename commands."""
         for name, text in texts.items():
             self[name].setText(text)
 
     def entries(self) -> list[tuple[str, QAction]]:
-        """All actions of the menus, each named by its menus and its text."""
+        """Return all actions of the menus with their full names."""
         bar = self._window.menuBar()
         return [entry for action in bar.actions() for entry in _entries(action, "")]
 

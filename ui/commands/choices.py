@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 from ui.commands.actions import Commands
 from ui.commands.table import COLOURS, LANGUAGE_CHOICES, THEMES
 from ui.widgets import theme
-from ui.words import spoken, spoken_by_system, tr
+from ui.words import current_language, system_language, tr
 
 SYSTEM = "system"
 """What counts where nothing was chosen: as the system has it."""
@@ -35,7 +35,7 @@ class KeptChoice:
         self.show(settings, commands)
 
     def show(self, settings: QSettings, commands: Commands) -> None:
-        """Check the command of the stored choice, which another window may have changed."""
+        """Check the command of the stored choice, which may come from another window."""
         kept = self.kept(settings)
         chosen = next(name for name, value in self._choices.items() if value == kept)
         commands[chosen].setChecked(True)
@@ -50,7 +50,7 @@ LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES)
 
 def tell_of_language(tell: Callable[[str], object], code: str) -> None:
     """Report that a new language is used after a restart."""
-    if (spoken_by_system() if code == SYSTEM else code) != spoken():
+    if (system_language() if code == SYSTEM else code) != current_language():
         tell(tr("The language changes at the next start."))
 
 
@@ -68,10 +68,7 @@ _COLOURS_KEY = "view/colours"
 
 
 def keep_colours(settings: QSettings, commands: Commands) -> None:
-    """Restore the stored colours of light, and store later choices of the user.
-
-    Colours of a design are its own: they are shown, not stored.
-    """
+    """Restore the stored colours of light, and store choices of the user, not those of a design."""
     kept = f"colours_{settings.value(_COLOURS_KEY)}"
     if kept in COLOURS:
         commands[kept].setChecked(True)

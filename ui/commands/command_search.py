@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 
@@ -37,7 +38,7 @@ class CommandPalette(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAccessibleName(tr("Command palette"))
         self._entries = entries
-        self._field = QLineEdit(placeholderText=tr("Type parts of a command's name"))
+        self._field = QLineEdit(placeholderText=tr("Search commands"))
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)
         self._field.installEventFilter(self)
@@ -57,10 +58,7 @@ class CommandPalette(QDialog):
         )
         self._nothing.setTextFormat(Qt.TextFormat.PlainText)  # what is typed may have tags
         self._nothing.setMargin(_MARGIN)
-        column = QVBoxLayout(self)
-        column.addWidget(self._field)
-        column.addWidget(self._found, 1)
-        column.addWidget(self._nothing, 1)
+        filled(QVBoxLayout(self), self._field, (self._found, 1), (self._nothing, 1))
         self._find("")
         self._field.setFocus()
         row = self._found.sizeHintForRow(0)
@@ -68,7 +66,6 @@ class CommandPalette(QDialog):
         self.move(window.mapToGlobal(QPoint((window.width() - self.width()) // 2, 2 * row)))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keys in the field move in the list or choose from it."""
         if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             if event.key() in _MOVES:
                 self._found.keyPressEvent(event)
@@ -99,9 +96,7 @@ class CommandPalette(QDialog):
             self._found.addTopLevelItem(item)
         able = (item for item in self._items() if not item.isDisabled())
         self._found.setCurrentItem(next(able, None))  # type: ignore[arg-type]
-        self._nothing.setText(
-            tr("No command has all of this in its name: {words}").format(words=text)
-        )
+        self._nothing.setText(tr("No command found: {words}").format(words=text))
         self._nothing.setVisible(not fitting)
         self._found.setVisible(bool(fitting))
 
@@ -138,7 +133,7 @@ class Shortcuts(QDialog):
     def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle(tr("Keyboard shortcuts"))
-        self._field = QLineEdit(placeholderText=tr("Find by a part of the name, or by the key"))
+        self._field = QLineEdit(placeholderText=tr("Search by name or key"))
         self._field.setAccessibleName(tr("Find a shortcut"))
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)

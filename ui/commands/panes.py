@@ -57,11 +57,7 @@ class PaneFocus(QObject):
     """Moves the focus between docks, centre and toolbar, and marks the active pane."""
 
     def __init__(
-        self,
-        centre: QWidget,
-        docks: Mapping[str, QDockWidget],
-        toolbar: QToolBar,
-        parent: QObject,
+        self, centre: QWidget, docks: Mapping[str, QDockWidget], toolbar: QToolBar, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._centre, self._docks, self._toolbar = centre, docks, toolbar
@@ -69,7 +65,6 @@ class PaneFocus(QObject):
         application().focusChanged.connect(self._mark)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """Functions of commands."""
         return {
             **{f"go_{name}": partial(self.go, name) for name in PANES},
             "next_pane": partial(self._step, 1),
@@ -77,18 +72,15 @@ class PaneFocus(QObject):
         }
 
     def place(self, name: str) -> QWidget:
-        """Return the pane of a name."""
         found = self._docks.get(name)
         return self._centre if found is None else found
 
     def show(self, name: str) -> None:
-        """Make a pane visible."""
         if name in self._docks:
             self._docks[name].show()
             self._docks[name].raise_()
 
     def go(self, name: str) -> None:
-        """Show and focus a pane."""
         self.show(name)
         _enter(self.place(name))
 

@@ -22,10 +22,9 @@ class Command:
 
     @property
     def names_optic(self) -> bool:
-        """Whether its words depend on the element."""
         return "{optic}" in self.text + self.tip
 
-    def said_of(self, optic: str) -> "Command":
+    def in_words(self, optic: str) -> "Command":
         """The command in the current language, for an element."""
         return replace(self, text=tr(self.text, optic=optic), tip=tr(self.tip, optic=optic))
 
@@ -72,97 +71,81 @@ PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 
 COMMANDS = {
     **{name: Command(example.title, example.look) for name, example in NEW.items()},
-    "new": Command(
-        "&New…", "Begin a design: choose a job and answer its questions", _Key.New, "new"
-    ),
+    "new": Command("&New…", "Begin a design: choose a job and enter its data", _Key.New, "new"),
     "gallery": Command(
-        "New from &gallery…", "Choose an example by the picture of its light", "Ctrl+Shift+N"
+        "New from &gallery…", "Choose an example by the picture of its target", "Ctrl+Shift+N"
     ),
     "new_window": Command(
-        "New &window", "Open another window, with a design and a run of its own", "Ctrl+Shift+W"
+        "New &window", "Open another window with its own design and run", "Ctrl+Shift+W"
     ),
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and {optic}", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
-    "export": Command("&Export…", "Write the {optic} or its light for other programs", "Ctrl+E"),
-    "cut": Command(
-        "Cu&t with a ball cutter…",
-        "Write a finishing pass as G-code; what the cut leaves of the image is found before",
-    ),
+    "export": Command("&Export…", "Write the {optic} or its rays for other programs", "Ctrl+E"),
+    "cut": Command("Cu&t with a ball cutter…", "Simulate a finishing pass and write it as G-code"),
     "report": Command(
-        "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
+        "&Report…", "Write scene, pictures, check and figures as a report (HTML, PDF)", "Ctrl+R"
     ),
     "save_photo": Command(
-        "Save &predicted photo…",
-        "Save the predicted photo of the screen: what a camera would see, in colour (PNG)",
+        "Save &predicted photo…", "Save the predicted colour photo of the screen (PNG)"
     ),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
-    "revert": Command(
-        "Re&vert", "Go back to the file as it was saved; this can be undone", "Ctrl+Shift+R"
-    ),
-    "undo": Command("&Undo", "Take the last change back", _Key.Undo, "undo"),
-    "redo": Command("&Redo", "Make the change again", "Ctrl+Shift+Z", "redo"),
+    "revert": Command("Re&vert", "Restore the saved file; Undo reverts", "Ctrl+Shift+R"),
+    "undo": Command("&Undo", "Undo the last change", _Key.Undo, "undo"),
+    "redo": Command("&Redo", "Redo the change", "Ctrl+Shift+Z", "redo"),
     "paste_picture": Command(
-        "&Paste picture", "Make the picture on the clipboard the target", _Key.Paste
+        "&Paste picture", "Use the picture on the clipboard as the target", _Key.Paste
     ),
     "copy_plot": Command(
-        "Copy &plot",
-        "Copy a picture of the plot that was clicked last, to paste it elsewhere",
-        "Ctrl+Shift+C",
+        "Copy &plot", "Copy a picture of the plot that was clicked last", "Ctrl+Shift+C"
     ),
     "save_plot": Command(
         "Save p&lot…",
-        "Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)",
+        "Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)",
         "Ctrl+Shift+E",
     ),
     "start": Command(
-        "&Start",
-        "Design the {optic} from nothing; one that is there gives way, and Undo brings it back",
-        "F5",
-        "start",
+        "&Start", "Design from scratch. Replaces this {optic}; Undo restores it.", "F5", "start"
     ),
     "continue": Command(
         "&Continue",
-        "Go on designing from the {optic} as it is, with as many more iterations",
+        "Continue the design of this {optic} with more iterations",
         "Shift+F5",
         "continue",
     ),
-    "pause": Command("&Pause", "Hold the design; again to go on", "F6", "pause", checked=False),
+    "pause": Command("&Pause", "Pause the design, or resume it", "F6", "pause", checked=False),
     "stop": Command("S&top", "End the design and keep its best {optic}", "F7", "stop"),
     "follow": Command(
-        "&Follow edits",
-        "Design the {optic} anew after every edit, while no run goes on",
+        "&Live update",
+        "Update the {optic} after every edit, except during a run",
         "F9",
         "follow",
         checked=True,
     ),
-    "sweep": Command(
-        "S&weep…",
-        "Design a {optic} for each of several values of a field, and see all in a table",
-    ),
+    "sweep": Command("S&weep…", "Design a {optic} for each of several values of a field"),
     "restore_run": Command(
-        "&Restore run", "Give the design task and {optic} of the run chosen in the dock Runs"
+        "&Restore run", "Restore task and {optic} of the run selected in the dock Runs"
     ),
     "compare_runs": Command(
         "&Compare runs",
-        "See the two runs chosen in the dock Runs beside each other: light, figures, fields",
+        "Compare irradiance, figures and fields of the two runs selected in the dock Runs",
     ),
-    "delete_run": Command("&Delete runs", "Forget the runs chosen in the dock Runs"),
+    "delete_run": Command("&Delete runs", "Delete the runs selected in the dock Runs"),
     "check": Command(
-        "&Check {optic}",
-        "Trace the {optic} on show anew, with rays that its design never saw; again to cancel",
-        "F8",
+        "&Check {optic}", "Check this {optic} with an independent ray trace; again to cancel", "F8"
     ),
-    "fit_view": Command("&Fit 3D view", "Show {optic} and screen whole", "Ctrl+0", "fit-view"),
-    "lens_view": Command("Look at &{optic}", "See the {optic} as large as it can be", "Ctrl+1"),
-    "screen_view": Command("Look at s&creen", "See the screen as large as it can be", "Ctrl+2"),
-    "side_view": Command("From the &side", "Look at the 3D scene along x: light goes right"),
-    "top_view": Command("From a&bove", "Look at the 3D scene along y: light goes right"),
-    "axis_view": Command("Along the a&xis", "Look back along z from behind the screen"),
+    "fit_view": Command(
+        "&Fit 3D view", "Fit {optic} and screen into the view", "Ctrl+0", "fit-view"
+    ),
+    "lens_view": Command("Look at &{optic}", "Fit the {optic} into the view", "Ctrl+1"),
+    "screen_view": Command("Look at s&creen", "Fit the screen into the view", "Ctrl+2"),
+    "side_view": Command("From the &side", "View along x; light travels to the right"),
+    "top_view": Command("From a&bove", "View along y; light travels to the right"),
+    "axis_view": Command("Along the a&xis", "View along −z from behind the screen"),
     "exploded": Command(
-        "&Shorten gaps",
-        "Draw a far source and screen nearer, and a large screen smaller, to see the {optic}",
+        "&Compress distances",
+        "Draw far elements nearer and a large screen smaller, to enlarge the {optic}",
         "Ctrl+D",
         checked=False,
     ),
@@ -177,7 +160,7 @@ COMMANDS = {
     **{
         command: Command(
             name.capitalize(),
-            "Colours of light in the images and on the screen of the 3D scene",
+            "Colour map of images and 3D screen",
             checked=command == "colours_inferno",
         )
         for command, name in COLOURS.items()
@@ -185,7 +168,7 @@ COMMANDS = {
     **{
         command: Command(
             "As the &system" if name == "system" else f"&{name.capitalize()}",
-            "Show all windows light, dark, or as the system is",
+            "Light, dark or the system's theme for all windows",
             checked=name == "system",
         )
         for command, name in THEMES.items()
@@ -193,7 +176,7 @@ COMMANDS = {
     **{
         command: Command(
             LANGUAGES.get(code, "As the &system"),
-            "Language of the window; the command line speaks English",
+            "Language of the window; the command line is in English",
             checked=code == "system",
         )
         for command, code in LANGUAGE_CHOICES.items()
@@ -203,7 +186,7 @@ COMMANDS = {
         for (name, by_weight), text, tip in zip(
             RAYS_BY.items(),
             ("Colour by &outcome", "Colour by &weight"),
-            ("Rays that miss the screen are red", "By the part of a ray's light that arrives"),
+            ("Rays that miss the screen are red", "By the fraction of a ray's flux that arrives"),
             strict=True,
         )
     },
@@ -213,22 +196,22 @@ COMMANDS = {
             FACES_BY,
             ("As their &material", "By &height", "By &curvature"),
             (
-                "Faces of the {optic} as glass or metal",
-                "Faces of the {optic} from dark, low along z, to bright",
-                "Faces of the {optic} red where they are bowl-shaped towards +z, blue where humped",
+                "Draw faces of the {optic} as glass or metal",
+                "Colour faces of the {optic} by height along z: dark is low",
+                "Colour faces of the {optic} by curvature: red is concave towards +z, blue convex",
             ),
             strict=True,
         )
     },
     "relief": Command(
         "&Relief exaggerated",
-        "Light the fine shape of faces as if it were higher; the {optic} stays as it is",
+        "Exaggerate the relief of faces in the 3D view; the {optic} is unchanged",
         checked=False,
     ),
     "perspective": Command(
-        "&Perspective", "Draw what is farther away smaller, instead of in parallel", checked=False
+        "&Perspective", "Perspective instead of parallel projection", checked=False
     ),
-    "copy_scene": Command("Copy picture of 3&D", "Put the 3D scene on the clipboard"),
+    "copy_scene": Command("Copy picture of 3&D", "Copy a picture of the 3D scene to the clipboard"),
     **{
         name: Command(
             f"{times} × as large…", f"Save the 3D scene as PNG, {times} × as large as it is seen"
@@ -237,7 +220,7 @@ COMMANDS = {
     },
     "turn": Command(
         "&Turn",
-        "Mouse and arrow keys turn the 3D scene; click to pick",
+        "Rotate the 3D scene by mouse or arrow keys; click to select",
         "Alt+T",
         "turn",
         checked=True,
@@ -246,58 +229,60 @@ COMMANDS = {
         "&Sculpt", "Drag control points of the {optic} along z", "Alt+S", "sculpt", checked=False
     ),
     "lock": Command(
-        "&Lock points", "Paint control points that a run must leave", "Alt+L", "lock", checked=False
+        "&Lock points",
+        "Paint control points that runs must not change",
+        "Alt+L",
+        "lock",
+        checked=False,
     ),
     "move_source": Command(
-        "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
+        "&Move source", "Drag the source; with Ctrl along z", "Alt+M", "move-source", checked=False
     ),
     "mark_region": Command(
         "Mark &regions",
-        "Draw regions on the images of light, or move their edges: drag a rectangle, or click the "
-        "corners of a polygon and double-click. Esc leaves",
+        "Drag a rectangle on an image, or click the corners of a polygon and double-click; drag "
+        "edges to move them. Esc ends",
         "Alt+G",
         "region",
         checked=False,
     ),
     "picture_aspect": Command(
-        "Image as wide and high as the &picture",
-        "Give screen or far field, and their pixels, the aspect of the target's picture",
+        "Use aspect of the &picture",
+        "Set size and pixels of the receiver to the aspect of the target's picture",
     ),
     "second_face": Command(
         "&Freeform entrance face",
-        "Let light meet a second freeform face first, or a flat one again; the exit face stays",
+        "Make the entrance face freeform, or flat again; the exit face is unchanged",
     ),
     "other_face": Command(
-        "&Other face", "Turn the {optic} over, to sculpt or lock its other freeform face", "Alt+O"
+        "&Other face",
+        "Select the other freeform face of the {optic} for sculpting and locking",
+        "Alt+O",
     ),
     "brush_larger": Command("Lar&ger brush", "More control points at once; also Ctrl+wheel", "]"),
     "brush_smaller": Command(
         "Smaller brus&h", "Fewer control points at once; also Ctrl+wheel", "["
     ),
-    "lock_all": Command("Lock &all points", "Leave the whole {optic} as it is in runs"),
-    "unlock_all": Command("&Unlock all points", "Let runs change the whole {optic}"),
-    "invert_locks": Command("&Invert locks", "Lock what is unlocked, and the reverse"),
+    "lock_all": Command("Lock &all points", "Lock all control points of the {optic} in runs"),
+    "unlock_all": Command("&Unlock all points", "Unlock all control points of the {optic}"),
+    "invert_locks": Command(
+        "&Invert locks", "Lock unlocked control points, and unlock locked ones"
+    ),
     "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
-    "reset_layout": Command("R&eset layout", "Put all docks where they stood at first"),
-    "next_pane": Command("&Next pane", "Take the keyboard to the next pane", "Ctrl+F6"),
+    "reset_layout": Command("R&eset layout", "Restore the initial arrangement of docks"),
+    "next_pane": Command("&Next pane", "Move the keyboard focus to the next pane", "Ctrl+F6"),
     "previous_pane": Command(
-        "&Previous pane", "Take the keyboard to the pane before", "Ctrl+Shift+F6"
+        "&Previous pane", "Move the keyboard focus to the previous pane", "Ctrl+Shift+F6"
     ),
     **{
         f"go_{name}": Command(
-            pane.title,
-            "Show this pane and take the keyboard there",
-            f"Alt+{pane.key}" if pane.key else "",
+            pane.title, "Show this pane and focus it", f"Alt+{pane.key}" if pane.key else ""
         )
         for name, pane in PANES.items()
     },
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
-    "shortcuts": Command(
-        "&Keyboard shortcuts", "All keys, to be found by name or by key", "Ctrl+F1"
-    ),
+    "shortcuts": Command("&Keyboard shortcuts", "All keyboard shortcuts, with search", "Ctrl+F1"),
     "tour": Command("&Tour", "A short tour of the window"),
-    "manual": Command(
-        "&Manual", "All that can be done, here and in a shell, and what has been measured", "F1"
-    ),
-    "about": Command("&About", "What this program is"),
+    "manual": Command("&Manual", "Manual of window, command line and methods", "F1"),
+    "about": Command("&About", "About this program"),
 }

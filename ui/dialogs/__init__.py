@@ -1,1 +1,1 @@
-"""Dialogs of the window: help, start page, sweep."""
+"""Dialogs of the window: start page, gallery, sweep, manual, tour."""

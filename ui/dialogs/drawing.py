@@ -13,7 +13,7 @@ from workbench.jobs import Dimension, SideView
 
 _LIGHT = {"light": "#d88900", "dark": "#ffc14d"}
 _GLASS = {"light": "#5b93c9", "dark": "#7fb2e6"}
-_FLATTEST = 0.3  # a flatter drawing than this part of the room is drawn with larger heights
+_FLATTEST = 0.3  # a drawing flatter than this part of the area is drawn with larger heights
 _ARROW = 4.0
 
 
@@ -25,10 +25,9 @@ class SideDrawing(QWidget):
         self._view: SideView | None = None
         self.setMinimumSize(320, 180)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setAccessibleName(tr("The job from the side"))
+        self.setAccessibleName(tr("Side view of the job"))
 
     def show_view(self, view: SideView) -> None:
-        """Draw another one."""
         self._view = view
         self.update()
 
@@ -38,14 +37,13 @@ class SideDrawing(QWidget):
         if self._view is None:
             return 1.0, 1.0
         left, right, low, high = self._view.bounds
-        room = self._room()
+        area = self._area()
         length, height = right - left, max(high - low, 1e-12)
-        along = min(room.width() / length, room.height() / height)
-        across = max(along, min(_FLATTEST * room.height() / height, room.height() / height))
+        along = min(area.width() / length, area.height() / height)
+        across = max(along, min(_FLATTEST * area.height() / height, area.height() / height))
         return along, across
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint light below glass, image and lengths."""
         if self._view is None:
             return
         painter = QPainter(self)
@@ -74,7 +72,7 @@ class SideDrawing(QWidget):
         self._remark(painter)
         painter.end()
 
-    def _room(self) -> QRectF:
+    def _area(self) -> QRectF:
         line = self.fontMetrics().lineSpacing()
         rows = 0 if self._view is None else sum(map(_along, self._view.dimensions))
         side = self.fontMetrics().horizontalAdvance("00000 mm") / 2 + 4
@@ -83,14 +81,14 @@ class SideDrawing(QWidget):
     def _line(self, points: Array) -> QPolygonF:
         assert self._view is not None  # or nothing is drawn
         left, right, low, high = self._view.bounds
-        room, (along, across) = self._room(), self.scales
-        begin = room.center().x() - along * (left + right) / 2
-        middle = room.center().y() + across * (low + high) / 2
+        area, (along, across) = self._area(), self.scales
+        begin = area.center().x() - along * (left + right) / 2
+        middle = area.center().y() + across * (low + high) / 2
         return QPolygonF([QPointF(begin + along * z, middle - across * y) for z, y in points])
 
     def _lengths(self, painter: QPainter, dimensions: Sequence[Dimension]) -> None:
         metrics, line = self.fontMetrics(), self.fontMetrics().lineSpacing()
-        row = self._room().bottom() + 0.5 * line
+        row = self._area().bottom() + 0.5 * line
         for dimension in dimensions:
             first, last = (self._line(dimension.ends).at(end) for end in (0, 1))
             if dimension.distance and not _along(dimension):
@@ -131,7 +129,7 @@ class SideDrawing(QWidget):
         along, across = self.scales
         seen = tr("From the side") if self._view.across == "y" else tr("From above")
         scale = (
-            tr(", {across:.1f} × as high").format(across=across / along)
+            tr(", heights × {across:.1f}").format(across=across / along)
             if across > 1.01 * along
             else tr(", to scale")
         )

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from resources import Example
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
@@ -26,7 +27,7 @@ _SIZE = QSize(680, 560)
 
 
 class Gallery(QDialog):
-    """One example can be chosen: by arrows and Enter, by typing its name, or by mouse."""
+    """Dialog to choose an example by keyboard or mouse."""
 
     chosen = Signal(object)  # Example
 
@@ -54,17 +55,13 @@ class Gallery(QDialog):
         )
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        column.addWidget(self._list, 1)
-        column.addWidget(self._look)
-        column.addWidget(buttons)
+        filled(QVBoxLayout(self), (self._list, 1), self._look, buttons)
         self._list.currentRowChanged.connect(self._tell)
         self._list.itemDoubleClicked.connect(self.accept)
         self._list.setCurrentRow(0)
         self.resize(_SIZE.boundedTo(window.size()))
 
     def accept(self) -> None:
-        """Choose the current example."""
         example = self._examples[self._list.currentRow()]
         super().accept()
         self.chosen.emit(example)
@@ -82,7 +79,7 @@ class Gallery(QDialog):
     def _picture(self, example: Example) -> QIcon:
         try:
             image = read_scene(example.file).image
-        except Refused:  # said when it is opened; the others can be chosen from
+        except Refused:  # reported when it is opened
             return QIcon()
         if image is None:
             return QIcon()

@@ -25,6 +25,7 @@ from ui.commands.actions import Commands
 from ui.commands.command_search import CommandPalette, Shortcuts
 from ui.commands.panes import PaneFocus
 from ui.dialogs.tour import STOPS, Tour
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.messages import MessageBar
 from ui.words import tr
@@ -43,7 +44,6 @@ class PageView(QTextBrowser):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
-        """Scale pictures to the view, sharp on high-resolution displays."""
         if kind != QTextDocument.ResourceType.ImageResource.value:
             return super().loadResource(kind, name)
         image = QImage(self.source().resolved(QUrl(name)).toLocalFile())
@@ -55,7 +55,6 @@ class PageView(QTextBrowser):
         return image
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Scale the pictures again."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width() and not self.source().isEmpty():
             place = self.verticalScrollBar().value()
@@ -73,7 +72,7 @@ class Manual(QDialog):
         self._places: list[QTextCursor] = []  # of what is searched for, on this page
         self._search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
         self._search.setAccessibleName(tr("Search the manual"))
-        self._search.setToolTip(tr("Words that a page must hold; Return goes to the next place"))
+        self._search.setToolTip(tr("Find pages with all words; Return shows the next match"))
         self._list = QListWidget()
         self._list.setAccessibleName(tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
@@ -95,21 +94,13 @@ class Manual(QDialog):
     def _lay_out(self) -> None:
         aside = QWidget()
         aside.setFixedWidth(self.fontMetrics().averageCharWidth() * _LIST_COLUMNS)
-        left = QVBoxLayout(aside)
-        left.setContentsMargins(0, 0, 0, 0)
-        left.addWidget(self._search)
-        left.addWidget(self._nothing)
-        left.addWidget(self._list, 1)
-        line = QHBoxLayout()
-        line.addWidget(aside)
-        line.addWidget(self._text, 1)
+        filled(QVBoxLayout(aside), self._search, self._nothing, (self._list, 1), margins=0)
+        line = filled(QHBoxLayout(), aside, (self._text, 1))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
         for button in buttons.findChildren(QPushButton):
             button.setAutoDefault(False)  # Return goes on searching
-        whole = QVBoxLayout(self)
-        whole.addLayout(line, 1)
-        whole.addWidget(buttons)
+        filled(QVBoxLayout(self), (line, 1), buttons)
 
     def _open(self, row: int) -> None:
         url = QUrl.fromLocalFile(str(self._pages[row].file))
@@ -126,7 +117,7 @@ class Manual(QDialog):
         for row, page in enumerate(self._pages):
             self._list.item(row).setHidden(not page.holds(words))
         shown = self._listed()
-        self._nothing.setText(tr("No page has all of this: {words}").format(words=words))
+        self._nothing.setText(tr("No page found: {words}").format(words=words))
         self._nothing.setVisible(not shown)
         if shown and self._list.currentRow() not in shown:
             self._list.setCurrentRow(shown[0])
@@ -193,7 +184,6 @@ class Help(QObject):
         self._tour: Tour | None = None
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """Functions of commands."""
         return {
             "palette": lambda: CommandPalette(self._commands.entries(), self._window).open(),
             "shortcuts": lambda: Shortcuts(self._commands.entries(), self._window).show(),
@@ -203,15 +193,14 @@ class Help(QObject):
         }
 
     def offer_tour(self, settings: QSettings) -> None:
-        """Offer the tour at the first start."""
         if not settings.value(_OFFERED):
             settings.setValue(_OFFERED, True)
             self._messages.note(
                 tr(
-                    "New here? A tour of {count} steps shows what is where. Help > Tour "
-                    "begins it at any time."
+                    "New here? A tour of {count} steps explains the window. Help > Tour starts it "
+                    "at any time."
                 ).format(count=len(STOPS)),
-                (tr("Show me around"), self.begin_tour),
+                (tr("Start tour"), self.begin_tour),
             )
 
     def begin_tour(self) -> None:
@@ -237,7 +226,7 @@ class Help(QObject):
             self._window,
             tr("About {title}").format(title=TITLE),
             tr(
-                "<h3>{title} {version}</h3><p>Shapes a freeform lens until it throws the "
-                "wanted image of light.</p><p>MIT licence</p>"
+                "<h3>{title} {version}</h3><p>Designs freeform lenses and mirrors that form a "
+                "given irradiance.</p><p>MIT licence</p>"
             ).format(title=TITLE, version=workbench.__version__),
         )

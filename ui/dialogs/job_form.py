@@ -23,7 +23,7 @@ _LATER = {*Finish.model_fields, "tone", "turn", "crop"} - {"viewed_from"}
 
 
 class JobForm(QScrollArea):
-    """Asks the questions of one job, and holds the job that the answers make."""
+    """Form of a job."""
 
     changed = Signal()
     image_asked = Signal()
@@ -70,16 +70,14 @@ class JobForm(QScrollArea):
 
     @property
     def refused(self) -> bool:
-        """Whether an answer waits to be corrected."""
         return bool(self._refused)
 
     def commit(self) -> None:
-        """Enter what is typed and not yet entered."""
         for row in self.rows:
             row.commit()
 
     def choose_image(self, path: Path) -> None:
-        """Take a picture file, and an image as wide and high as it is, for the same viewer."""
+        """Use a picture file as target, with an image size of its aspect."""
         before = getattr(self.job, "target", Finish())
         target = of_image(path, Finish(viewed_from=before.viewed_from))
         changes: dict[str, object] = {"target": target}
@@ -89,7 +87,7 @@ class JobForm(QScrollArea):
         self._edit(Edit("target.image", tr("picture"), changes))
 
     def _in_aspect(self, size: tuple[float, float], target: dict[str, object]) -> list[float]:
-        """The size of an image that is as large as before and has the aspect of a picture."""
+        """Return an image size with the aspect of a picture."""
         from workbench.targets import picture_aspect  # late: takes long to import
 
         try:
@@ -101,11 +99,10 @@ class JobForm(QScrollArea):
         return [larger, shorter] if aspect > 1 else [shorter, larger]
 
     def choose_light(self, path: Path) -> None:
-        """Take a file of light."""
         self._edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
 
     def _answer(self, edit: Edit) -> None:
-        """Take an answer of a row; a picture whose name is typed is chosen as any other."""
+        """Apply an edit of a row; a typed file name of a picture is chosen."""
         typed = edit.changes.get("target.image")
         if typed:
             self.choose_image(Path(str(typed)))
@@ -135,7 +132,7 @@ class JobForm(QScrollArea):
         self.changed.emit()
 
     def show_job(self) -> None:
-        """Show the answers of now, and what was refused as it was typed."""
+        """Show the job, and refused entries as typed."""
         present = [row for row in self.rows if row.present(self.job)]
         for row in self.rows:
             if row in present:

@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWi
 from ui.background import Background, Task, sentence_of
 from ui.panels.editors import Wrapped
 from ui.panels.images import Thumbnail
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
-from ui.words import begun, tr
+from ui.words import capitalised, tr
 from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ _HIGH = 160  # logical pixels of a picture: two of them are compared
 
 
 class ProspectFinder(QObject):
-    """Draws the target of the latest job and finds what can be expected of it."""
+    """Draws the target of a job and estimates its result in a thread."""
 
     ready = Signal(object)  # Session
     found = Signal(object)  # Prospect
@@ -41,15 +42,12 @@ class ProspectFinder(QObject):
         )
 
     def look(self, job: "Job") -> None:
-        """Leave what was looked at, and look at this one."""
         self._background.begin(partial(_find, job))
 
     def leave(self) -> None:
-        """Look at nothing any more."""
         self._background.cancel()
 
     def close(self) -> None:
-        """End the search and wait for its thread; safe to call twice."""
         self._background.close()
 
     def _pass_on(self, _: object, reported: "Session | Prospect | float") -> None:
@@ -79,7 +77,7 @@ def _find(job: "Job", task: Task) -> "Prospect | None":
 
 
 class Outlook(QWidget):
-    """Shows what was found."""
+    """Shows the estimate of a job."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -87,67 +85,57 @@ class Outlook(QWidget):
         self._scene: Scene | None = None  # of the target on show
         self._labels: list[QLabel] = []
         self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
-        self._at_best.setAccessibleName(tr("Picture at best"))
-        self._at_best.setToolTip(tr("Blurred by the size of the light, as any lens has to"))
+        self._at_best.setAccessibleName(tr("Best possible image"))
+        self._at_best.setToolTip(tr("The source size blurs the image of any lens"))
         self._side = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
         self._state = Wrapped()
         self._figures = QGridLayout()
         self._figures.setHorizontalSpacing(12)
         self._figures.setColumnStretch(1, 1)
         pictures = QHBoxLayout()
-        for title, picture in ((tr("Wanted"), self._wanted), (tr("At best"), self._at_best)):
-            column = QVBoxLayout()
-            column.addWidget(QLabel(title, alignment=Qt.AlignmentFlag.AlignHCenter))
-            column.addWidget(picture)
+        for title, picture in ((tr("Target"), self._wanted), (tr("Best possible"), self._at_best)):
+            column = filled(
+                QVBoxLayout(), QLabel(title, alignment=Qt.AlignmentFlag.AlignHCenter), picture
+            )
             pictures.addLayout(column)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addLayout(pictures)
-        whole.addWidget(self._side)
-        whole.addWidget(self._state)
-        whole.addLayout(self._figures)
+        filled(QVBoxLayout(self), pictures, self._side, self._state, self._figures, margins=0)
 
     @property
     def text(self) -> str:
-        """All that is said."""
         labels = self._side, self._state, *self._labels
         return "\n".join(label.text() for label in labels)
 
     def wait(self) -> None:
-        """Say that figures are being found, and mark those that are of the answers before."""
+        """Show that figures are computed, and mark the old ones as outdated."""
         self.outdate()
-        computing = tr("Computing what can be expected…")
+        computing = tr("Computing the estimate…")
         self._state.say(f"{computing} {self._state.text()}".strip())
 
     def outdate(self) -> None:
-        """Mark all figures as those of the answers before."""
         for label in self._labels:
             label.setEnabled(False)
-        self._state.say(tr("The figures are of the answers before.") if self._labels else "")
+        self._state.say(tr("Outdated figures.") if self._labels else "")
         self._at_best.clear()
 
     def show_progress(self, part: float) -> None:
-        """Say how far the estimate is."""
         self._state.say(tr("Estimating… {part:.0f} %").format(part=100 * part))
 
     def refuse(self, why: str) -> None:
-        """Say why there is nothing to be expected."""
         self._clear()
         self._state.say(f"\N{WARNING SIGN} {why}")
 
     def show_target(self, session: "Session") -> None:
-        """Show the picture that is wanted, and say from where it reads so."""
+        """Show the target, and the side from which it is seen."""
         scene = self._scene = session.scene
         half_u, half_v = scene.receiver.half_extent
         self._aspect = half_u / half_v
         self._wanted.show_target(as_viewed(scene, session.target), self._aspect)
-        self._side.setText(begun(tr(side_in_words(scene, viewed_from(scene)))))
+        self._side.setText(capitalised(tr(side_in_words(scene, viewed_from(scene)))))
 
     def show_prospect(self, found: "Prospect") -> None:
-        """Show figures, and the picture at best."""
         self._clear()
         if found.picture is None:
-            self._state.say(tr("Computing what can be expected…"))
+            self._state.say(tr("Computing the estimate…"))
         elif self._scene is not None:
             self._state.say("")
             self._at_best.show_target(as_viewed(self._scene, found.picture), self._aspect)
@@ -157,11 +145,11 @@ class Outlook(QWidget):
     def _add(self, row: int, figure: "Figure") -> None:
         name = QLabel(tr(figure.name))
         mark = "\N{WARNING SIGN} " if figure.warns else ""
-        sentence = begun(tr(figure.meaning))
-        said = WrappedLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}")
+        sentence = capitalised(tr(figure.meaning))
+        meaning = WrappedLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}")
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
-        self._figures.addWidget(said, row, 1)
-        self._labels += [name, said]
+        self._figures.addWidget(meaning, row, 1)
+        self._labels += [name, meaning]
 
     def _clear(self) -> None:
         for label in self._labels:

@@ -24,6 +24,7 @@ from ui.files.dialogs import FileDialogs
 from ui.panels.editors import Refusal
 from ui.panels.images import image_files
 from ui.panels.scene import light_files
+from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.jobs import JOBS, side_view
 from workbench.scene.kinds import summary_of, title_of
@@ -37,7 +38,7 @@ _JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
 
 
 class StartPage(QDialog):
-    """Lists the jobs; shows the form, the drawing and the outlook of the chosen one."""
+    """Lists the jobs; shows form, drawing and estimate of the selected one."""
 
     begun = Signal(object, str)  # Session, str
     open_asked = Signal()
@@ -50,7 +51,7 @@ class StartPage(QDialog):
         self._session: Session | None = None  # of the job as it is now
         self._begins = False  # as soon as there is one
         self._obstacle = ""  # why there is none
-        self._told = Refusal()
+        self._refusal = Refusal()
         self._finder = ProspectFinder(self)
         self._drawing, self._outlook = SideDrawing(), Outlook()
         self._jobs = QListWidget()
@@ -82,15 +83,13 @@ class StartPage(QDialog):
 
     @property
     def form(self) -> JobForm:
-        """That of the chosen job."""
         return self._forms[self._stack.currentIndex()]
 
     def select(self, kind: "type[Job]") -> None:
-        """Choose a job from the list."""
         self._jobs.setCurrentRow(JOBS.index(kind))
 
     def begin(self) -> None:
-        """Begin the job as it is, now or as soon as its target is drawn."""
+        """Begin the job, now or as soon as its target is drawn."""
         self.form.commit()
         if self.form.refused:
             return
@@ -102,18 +101,12 @@ class StartPage(QDialog):
 
     def _lay_out(self) -> None:
         aside = QWidget()
-        column = QVBoxLayout(aside)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._drawing, 1)
-        column.addWidget(self._outlook)
+        filled(QVBoxLayout(aside), (self._drawing, 1), self._outlook, margins=0)
         scrolled = QScrollArea()
         scrolled.setWidget(aside)
         scrolled.setWidgetResizable(True)
         scrolled.setFrameShape(QScrollArea.Shape.NoFrame)
-        line = QHBoxLayout()
-        line.addWidget(self._jobs)
-        line.addWidget(self._stack, 2)
-        line.addWidget(scrolled, 3)
+        line = filled(QHBoxLayout(), self._jobs, (self._stack, 2), (scrolled, 3))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self._begin = buttons.addButton(tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         for text, asked in (
@@ -125,10 +118,7 @@ class StartPage(QDialog):
             button.clicked.connect(asked.emit)
         buttons.accepted.connect(self.begin)
         buttons.rejected.connect(self.reject)
-        whole = QVBoxLayout(self)
-        whole.addLayout(line, 1)
-        whole.addWidget(self._told)
-        whole.addWidget(buttons)
+        filled(QVBoxLayout(self), (line, 1), self._refusal, buttons)
         for button in self.findChildren(QPushButton):
             button.setAutoDefault(button is self._begin)
         self._begin.setDefault(True)  # here, since buttons forget it on their way into a dialog
@@ -139,7 +129,7 @@ class StartPage(QDialog):
 
     def _look(self) -> None:
         self._session, self._begins, self._obstacle = None, False, ""
-        self._told.say("")
+        self._refusal.say("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
             self._finder.leave()
@@ -168,7 +158,7 @@ class StartPage(QDialog):
     def _tell(self) -> None:
         if self._obstacle:
             why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
-            self._told.say(f"\N{WARNING SIGN} {why}")
+            self._refusal.say(f"\N{WARNING SIGN} {why}")
 
     def _choose_image(self) -> None:
         path = self._dialogs.to_open("image", tr("Picture"), image_files())

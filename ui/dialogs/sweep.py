@@ -1,6 +1,5 @@
 """Dialog of a sweep: fields and values, and a table and a curve of the designs."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -25,6 +24,8 @@ from PySide6.QtWidgets import (
 
 from ui.background import Background, Task, sentence_of
 from ui.dialogs.sweep_form import SweepCurve, SweepForm
+from ui.document.document import Document
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, later, tr
 from workbench.design.session import verified_error
@@ -32,7 +33,6 @@ from workbench.errors import Refused
 from workbench.progress import Interrupted, interrupted_when
 
 if TYPE_CHECKING:
-    from workbench.files.session import Session
     from workbench.sweep.points import Point
     from workbench.sweep.sweep import PointRow
 
@@ -42,18 +42,14 @@ RAYS = 4_000_000
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """What is to be designed."""
+    """Design tasks of a sweep, and the folder for sessions and tables."""
 
     points: "list[Point]"
     folder: Path
 
 
 def work_on(sweep: Sweep, task: Task) -> None:
-    """Design the lenses of a sweep, each in a process; meant for a thread.
-
-    Reports the number of a point and its row as soon as it is finished. What is finished when the
-    task is stopped is kept.
-    """
+    """Design the lenses of a sweep in processes; for a thread. Reports numbers and rows."""
     # Late: what they stand on is slow to import.
     from workbench.sweep.processes import Processes
     from workbench.sweep.sweep import Store
@@ -75,40 +71,42 @@ def work_on(sweep: Sweep, task: Task) -> None:
 _SIZE = QSize(1120, 640)
 _SHARES = (56, 44)  # of the table and the curve
 _ABOUT = later(
-    "Each value, or each pair of values of two fields, gets a design of its own, which is checked. "
-    "Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again."
+    "Designs and checks a lens for each value, or each pair of values of two fields. The folder "
+    "gets the sessions and a table (CSV, JSON). Finished designs are skipped."
 )
 _FIGURES = later(("Verified error", "Light", "Iterations", "Seconds"))
 
 
 class SweepDialog(QDialog):
-    """Fields, values and a folder; a table and a curve of what became of them. It stays open."""
+    """Dialog of a sweep, which stays open: fields, values, folder, table and curve."""
 
     open_asked = Signal(Path)
 
-    def __init__(self, design: "Callable[[], tuple[Path, Session]]", window: QWidget) -> None:
+    def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle(tr("Sweep"))
-        self._design, self._rows = design, dict[int, "PointRow"]()
+        self._document, self._rows = document, dict[int, "PointRow"]()
         self._sweep: Sweep | None = None
         self.form, self.folder = SweepForm(), QLineEdit()
         self.form.lines.addRow(tr("Folder"), self._folder_line())
-        self.told = WrappedLabel()
-        self.told.setAccessibleName(tr("How far the sweep is"))
+        self.status = WrappedLabel()
+        self.status.setAccessibleName(tr("Progress of the sweep"))
         self.table, self.curve = _table(), SweepCurve(self)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         action = QDialogButtonBox.ButtonRole.ActionRole
         self.begin, self.look = (
             buttons.addButton(text, action) for text in (tr("Start"), tr("&Open design"))
         )
-        self.look.setToolTip(tr("Open the session of the chosen row in the window"))
+        self.look.setToolTip(tr("Open the session of the selected row"))
         self.begin.setDefault(True)
-        column = QVBoxLayout(self)
-        column.addWidget(WrappedLabel(tr(_ABOUT)))
-        column.addWidget(self.form)
-        column.addWidget(self.told)
-        column.addWidget(self._results(), 1)
-        column.addWidget(buttons)
+        filled(
+            QVBoxLayout(self),
+            WrappedLabel(tr(_ABOUT)),
+            self.form,
+            self.status,
+            (self._results(), 1),
+            buttons,
+        )
         self.resize(_SIZE.boundedTo(window.size()))
         self._background = Background("sweep", self)
         self._background.progressed.connect(self._take)
@@ -122,21 +120,23 @@ class SweepDialog(QDialog):
         self._offer()
 
     def show_design(self) -> None:
-        """Offer the fields of the open design, and a folder beside its file if it has one."""
-        path, session = self._design()
-        self.form.show_scene(session.scene)
-        # Of a design without a file a person says where its sweep goes.
+        """Show the dialog with the fields of the open design, and a folder beside its file."""
+        path = self._document.suggested_path
+        self.form.show_scene(self._document.session.scene)
+        # For a design without a file a person chooses the folder.
         if not self.folder.text() and path.is_absolute():
             self.folder.setText(str(path.with_name(f"{path.stem}-sweep").absolute()))
+        self.show()
+        self.raise_()
+        self.activateWindow()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the palette between light and dark."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.curve.recolour()
 
     def toggle(self) -> None:
-        """Begin the sweep that is asked for; stop the one that is under way."""
+        """Start the sweep, or stop it."""
         if self._background.busy:
             self._background.stop()
             self._offer()
@@ -144,14 +144,16 @@ class SweepDialog(QDialog):
         from workbench.sweep.points import points_of  # late: slow to import
 
         try:
-            points = points_of([self._design()], self.form.variations())
+            points = points_of(
+                [(self._document.suggested_path, self._document.session)], self.form.variations()
+            )
         except Refused as refused:
-            self.told.setText(f"\N{WARNING SIGN} {error_text(refused)}")
+            self.status.setText(f"\N{WARNING SIGN} {error_text(refused)}")
             return
         if not self.folder.text().strip():
             self._choose_folder()
         if not self.folder.text().strip():
-            self.told.setText("\N{WARNING SIGN} " + tr("Choose a folder for the designs."))
+            self.status.setText("\N{WARNING SIGN} " + tr("Choose a folder for the designs."))
             return
         self._sweep = sweep = Sweep(points, Path(self.folder.text()).expanduser())
         self._rows.clear()
@@ -160,7 +162,7 @@ class SweepDialog(QDialog):
         self._offer()
 
     def close_thread(self) -> None:
-        """Leave the sweep and wait for its thread; safe to call twice."""
+        """Stop the sweep and wait for its thread; safe to call twice."""
         self._background.close()
 
     def _results(self) -> QSplitter:
@@ -175,14 +177,12 @@ class SweepDialog(QDialog):
 
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
-        self.folder.setPlaceholderText(tr("Asked for at the start"))
+        self.folder.setPlaceholderText(tr("Chosen at the start"))
         choose = QToolButton()
         choose.setText("…")
         choose.setAccessibleName(tr("Choose the folder"))
         choose.clicked.connect(self._choose_folder)
-        line = QHBoxLayout()
-        line.addWidget(self.folder, 1)
-        line.addWidget(choose)
+        line = filled(QHBoxLayout(), (self.folder, 1), choose)
         return line
 
     def _choose_folder(self) -> None:
@@ -227,7 +227,7 @@ class SweepDialog(QDialog):
 
     def _give_up(self, _: Sweep, error: Exception) -> None:
         self._offer()
-        self.told.setText(f"\N{WARNING SIGN} {sentence_of(error, tr('sweep'))}")
+        self.status.setText(f"\N{WARNING SIGN} {sentence_of(error, tr('sweep'))}")
 
     def _chosen(self) -> Path | None:
         row = self._rows.get(self.table.currentRow())
@@ -249,7 +249,7 @@ class SweepDialog(QDialog):
             done = tr("{count} of {wanted} designs").format(
                 count=len(self._rows), wanted=len(self._sweep.points)
             )
-            self.told.setText(f"{done}…" if busy else f"{done}, {self._sweep.folder}")
+            self.status.setText(f"{done}…" if busy else f"{done}, {self._sweep.folder}")
 
 
 def _table() -> QTableWidget:

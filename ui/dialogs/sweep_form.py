@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
 
+from ui.widgets.controls import filled
 from ui.widgets.plot_words import translate
 from ui.words import field_title, later, tr
 from workbench.pictures.axes import paint
@@ -24,13 +25,13 @@ _AT_MOST = 2  # fields at once
 # Nothing of the lens depends on these, or a sweep refuses them.
 _NOT = re.compile(r"unit|regions|images\[[1-9]|elements\[\d+\]\.(kind|name)$")
 _VALUES = later(
-    "Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. "
-    "Lengths in the unit of the scene."
+    "Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths "
+    "in the unit of the scene."
 )
 
 
 class SweepForm(QWidget):
-    """A field and its values, and a second one if somebody wants it."""
+    """One or two fields and their values."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -45,13 +46,11 @@ class SweepForm(QWidget):
             field.currentIndexChanged.connect(self._show_present)
             values.setAccessibleName(tr("Values of {field}").format(field=title))
             values.setToolTip(f"<p>{tr(_VALUES)}</p>")
-            line = QHBoxLayout()
-            line.addWidget(field, 1)
-            line.addWidget(values, 1)
+            line = filled(QHBoxLayout(), (field, 1), (values, 1))
             self.lines.addRow(title, line)
 
     def show_scene(self, scene: "Scene") -> None:
-        """Offer the fields of a scene; chosen ones stay, as far as it has them."""
+        """Offer the fields of a scene; the selection stays where possible."""
         self._rows = {row.path: row for row in field_rows(scene) if not _NOT.match(row.path)}
         for number, field in enumerate(self.fields):
             chosen = field.currentData()
@@ -66,7 +65,6 @@ class SweepForm(QWidget):
         self._show_present()
 
     def variations(self) -> "list[Variation]":
-        """What is asked for."""
         from workbench.sweep.points import Variation  # late, as all of sweeps
 
         found = []
@@ -76,11 +74,10 @@ class SweepForm(QWidget):
         return found
 
     def titles(self) -> list[str]:
-        """What the chosen fields are called."""
         return [field.currentText() for field in self.fields if field.currentData()]
 
     def _show_present(self) -> None:
-        """Say what the chosen fields are now, where their values are to be typed."""
+        """Show the present values of the selected fields as placeholders."""
         for field, values in zip(self.fields, self.values, strict=True):
             row = self._rows.get(field.currentData() or "")
             values.setEnabled(row is not None)
@@ -92,7 +89,7 @@ _EVERY_MS = 50  # lenses that are there already come by the thousand
 
 
 class SweepCurve(FigureCanvasQTAgg):
-    """Draws lenses as they are finished; a curve for each value of a second field."""
+    """Plots errors of finished lenses, a curve for each value of a second field."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(Figure(layout="constrained"))
@@ -107,7 +104,7 @@ class SweepCurve(FigureCanvasQTAgg):
         self.recolour()
 
     def show_rows(self, titles: Sequence[str], rows: "Mapping[int, PointRow]") -> None:
-        """Show those of some rows that have a lens, as they are in a moment."""
+        """Plot the rows that have a lens, after a short delay."""
         self._titles, self._rows = titles, rows
         if not self._soon.isActive():
             self._soon.start()
@@ -128,7 +125,6 @@ class SweepCurve(FigureCanvasQTAgg):
         self.recolour()
 
     def recolour(self) -> None:
-        """Follow the palette between light and dark."""
         palette = self._parent.palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self.draw_idle()

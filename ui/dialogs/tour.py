@@ -1,8 +1,4 @@
-"""Tour of the window: a frame around one part at a time, with a bubble beside it.
-
-The 3D view is a native window above everything that Qt paints, so frame and bubble are native
-windows too.
-"""
+"""Tour of the window: native windows, since the 3D view lies above everything that Qt paints."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,6 +7,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette, QRegion
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
 from ui.words import later, tr
@@ -31,60 +28,57 @@ STOPS = later(
             "design",
             "Describe the task",
             (
-                "Here you say what you have and what you want: the image of light, the "
-                "lens, the source, the screen. What is not possible is refused beside "
-                "the field, with what would be allowed. Any picture dropped onto the "
-                "window becomes the target."
+                "Enter target image, lens, source and screen here. An impossible value is refused "
+                "beside its field, with the allowed range. Drop a picture onto the window to use "
+                "it as the target."
             ),
         ),
         Stop(
             "toolbar",
             "Start",
             (
-                "Start (F5) shapes the lens until its light fits the target. Pause (F6) "
-                "holds it, Stop (F7) keeps the best lens so far, Continue goes on from "
-                "there."
+                "Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it "
+                "with the best lens so far, Continue resumes from that lens."
             ),
         ),
         Stop(
             "scene",
-            "Watch the light",
+            "3D scene",
             (
-                "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to "
-                "zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at "
-                "the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer."
+                "Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or "
+                "use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 "
+                "everything; Ctrl+D compresses distances."
             ),
         ),
         Stop(
             "irradiance",
-            "See what reaches the screen",
+            "Irradiance on the screen",
             (
-                "Flux per area, live. Below it what is still wrong: too much light is "
-                "red, too little is blue. Both zoom and move together."
+                "Flux per area, updated during the run. The error beside it: red is too much "
+                "light, blue too little. Both images zoom and move together."
             ),
         ),
         Stop(
             "loss",
-            "Look back",
+            "Course of the run",
             (
-                "The curve falls while the lens gets better. The slider below it shows "
-                "the lens at any kept moment of the run; you can go on from there."
+                "The loss falls while the lens improves. The slider below shows earlier "
+                "iterations; you can continue from any of them."
             ),
         ),
         Stop(
             "history",
-            "Nothing is lost",
+            "Undo and recovery",
             (
-                "Every edit and every run is a step. Undo with Ctrl+Z, or click a step "
-                "to go there. Unsaved work is kept every minute, even if the program "
-                "breaks off."
+                "Every edit and every run is a step. Undo with Ctrl+Z, or click a step. Unsaved "
+                "work is backed up every minute."
             ),
         ),
         Stop(
             "menus",
-            "Find anything",
-            "Ctrl+Shift+P finds any command by parts of its name. File > New from gallery has "
-            "examples by their pictures, File > Export takes the lens to other programs. Enjoy!",
+            "Commands",
+            "Ctrl+Shift+P finds a command by parts of its name. File > New from gallery shows the "
+            "examples, File > Export writes the lens for other programs.",
         ),
     )
 )
@@ -117,11 +111,9 @@ class Tour(QObject):
         self._go(0)
 
     def end(self) -> None:
-        """Restore the window."""
         self._go(len(STOPS))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow moved targets."""
         if event.type() in (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show):
             self._follow.start()
         return False
@@ -187,21 +179,18 @@ class Bubble(QFrame):
             QPushButton(tr("&Back")),
             QPushButton(),
         )
-        self.end.setToolTip(tr("End the tour (Esc); Help > Tour begins it again"))
+        self.end.setToolTip(tr("End the tour (Esc); Help > Tour starts it again"))
         self.end.clicked.connect(self.left)
         buttons = QHBoxLayout()
         buttons.addWidget(self._count, 1)
         for button in (self.end, self.back, self.on):
             button.setAutoDefault(True)  # Enter presses the one with the focus
             buttons.addWidget(button)
-        self._column = column = QVBoxLayout(self)
-        column.setContentsMargins(14, 12, 14, 12)
-        column.addWidget(self._title)
-        column.addWidget(self._text)
-        column.addLayout(buttons)
+        self._column = filled(
+            QVBoxLayout(self), self._title, self._text, buttons, margins=(14, 12, 14, 12)
+        )
 
     def tell(self, stop: Stop, number: int, count: int) -> None:
-        """Show the text of a step."""
         title, text = tr(stop.title), tr(stop.text)
         self._title.setText(title)
         self._text.setText(text)
@@ -212,7 +201,7 @@ class Bubble(QFrame):
         self.on.setText(tr("&Done") if last else tr("&Next"))
         self.end.setVisible(not last)
 
-    def stand_beside(self, target: QRect, room: QRect) -> None:
+    def stand_beside(self, target: QRect, bounds: QRect) -> None:
         """Move beside the target if there is space, else into its middle."""
         self._text.setMinimumWidth(44 * self.fontMetrics().averageCharWidth())
         width = self.sizeHint().width()
@@ -226,7 +215,7 @@ class Bubble(QFrame):
             QPoint(middle.x(), target.top() - own.height() - gap),
             middle,
         )
-        inner = room.adjusted(gap, gap, -gap, -gap)
+        inner = bounds.adjusted(gap, gap, -gap, -gap)
         for place in places:
             own.moveTo(place)
             _push_into(own, inner)
@@ -239,7 +228,6 @@ class Bubble(QFrame):
             self.on.setFocus()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """End the tour by Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self.left.emit()
         else:
@@ -267,6 +255,6 @@ class _Frame(QWidget):
         painter.end()
 
 
-def _push_into(own: QRect, room: QRect) -> None:
-    own.moveLeft(max(room.left(), min(own.left(), room.right() - own.width())))
-    own.moveTop(max(room.top(), min(own.top(), room.bottom() - own.height())))
+def _push_into(own: QRect, bounds: QRect) -> None:
+    own.moveLeft(max(bounds.left(), min(own.left(), bounds.right() - own.width())))
+    own.moveTop(max(bounds.top(), min(own.top(), bounds.bottom() - own.height())))

@@ -24,18 +24,13 @@ if TYPE_CHECKING:
 
 
 class VerifiedErrors:
-    """Errors of lenses, as long as these live.
-
-    A check is no edit: it makes no step that could be undone, and no design unsaved. So what it
-    says stands beside the sessions until one is written.
-    """
+    """Verified errors of living lenses, kept beside the sessions: a check is no edit."""
 
     def __init__(self) -> None:
         # By id of the result, which may be gone by now.
         self._all: dict[int, tuple[weakref.ref[Result], VerifiedError]] = {}
 
     def note(self, lens: Result, found: "Validation") -> None:
-        """Keep what a check says of a lens."""
         lens_error = found.verified
         error = VerifiedError(
             lens_error.relative_l2_corrected, lens_error.relative_l2_corrected_interval
@@ -43,7 +38,7 @@ class VerifiedErrors:
         self._all[id(lens)] = weakref.ref(lens), error
 
     def of(self, run: KeptRun) -> VerifiedError | None:
-        """The error of a run's lens, by the latest check or by its file."""
+        """Return the error of a run's lens, from the latest check or its file."""
         lens, error = self._all.get(id(run.result), (None, None))
         return error if lens is not None and lens() is run.result else run.verified
 
@@ -68,10 +63,9 @@ class OnDisk(Enum):
 
 
 class Document(QObject):
-    """Owns the session, the file path, the undo stack and with it the dirty flag.
+    """Owns the session, the file path and the undo stack.
 
-    Sessions are immutable values, so an edit is a step from one session to the next and whatever
-    raises on the way (a refusal, a full disk) leaves the open one as it is.
+    Sessions are immutable: when an edit raises, the open session is unchanged.
     """
 
     session_changed = Signal(object)  # Session
@@ -102,32 +96,29 @@ class Document(QObject):
 
     @property
     def fingerprint(self) -> str | None:
-        """Of the file as it was last read or written; None where there was none."""
+        """Fingerprint of the file when it was last read or written, if any."""
         return self._fingerprint
 
     @property
     def name(self) -> str:
-        """What the title calls the design."""
         return self.suggested_path.stem
 
     @property
     def suggested_path(self) -> Path:
-        """Where the design is or might be saved."""
         return self._path or self._suggestion.with_suffix(ENDING)
 
     @property
     def folder(self) -> Path | None:
-        """Where the design was opened or saved; None where it was neither."""
+        """Folder of the design, if it was opened or saved."""
         path = self.suggested_path
         return path.parent if path.is_absolute() else None
 
     @property
     def dirty(self) -> bool:
-        """Whether closing now would lose changes."""
         return not self.undo_stack.isClean()
 
     def edit(self, scene: Scene, text: str, key: str) -> None:
-        """Go on with another scene, as one step that can be undone."""
+        """Replace the scene as an undoable step; edits with the same key are merged."""
         # One step is one edit: what was lost on the way comes back with the value it hung on.
         old = self.before(key)
         # A relative path typed by hand starts beside the file, as it will when saved there.
@@ -139,48 +130,43 @@ class Document(QObject):
         self.edited.emit(old, after)
 
     def after_edit(self, scene: Scene) -> Session:
-        """The session that an edit would lead to, which stays as it is; see `edit`."""
+        """Return the session after an edit, without making it."""
         scene = with_absolute_files(scene, self.suggested_path)
         return with_task(self._session, scene, self.suggested_path.parent)
 
     def before(self, key: str) -> Session:
-        """Where a step with this key begins, which may become part of the last one."""
+        """Return the session before a step with this key, which may be merged with the last one."""
         return self.undo_stack.origin(key) or self._session
 
     def read_image_again(self) -> None:
-        """Take the target's image as its file has it now, as one step that can be undone."""
+        """Reload the target's image file as an undoable step."""
         before = self._session
         after = with_file(before, self.suggested_path.parent)
-        self.change(after, tr("new reading of the image"))
+        self.change(after, tr("reload of the image"))
         self.edited.emit(before, after)
 
     def set_result(self, result: Result, text: str) -> None:
-        """Put a run's result into the session, as one step that can be undone."""
+        """Set the result of a run as an undoable step."""
         self.change(replace(self._session, result=result), text)
 
     def change(self, session: Session, text: str, key: str = "") -> None:
-        """Go on with another session, as one step that can be undone."""
+        """Replace the session as an undoable step."""
         self.undo_stack.take(self._session, session, text, key)
 
     def improve(self, session: Session) -> None:
-        """Go on with a better lens for the same task, as part of the last step.
+        """Replace the lens by a better one for the same task, as part of the last step.
 
-        No signal is sent: it is the same design, and whoever found the lens shows it. Undoing the
-        step takes the lens back, and redoing it brings the lens again. A design to which nothing
-        was done yet has no changes by this.
+        No signal is sent: the caller shows the lens.
         """
         self._session = session
         self.undo_stack.amend(session)
 
     def seal(self) -> None:
-        """Begin a step of its own with the next edit: undoing that edit comes back to this lens."""
+        """Keep the next edit separate: undoing it restores this lens."""
         self.undo_stack.seal()
 
     def begin(self, session: Session, name: str) -> None:
-        """Go on with a new task, which has no file yet, as one step that can be undone.
-
-        Undoing it also gives the design before its name and file back.
-        """
+        """Open a new task without a file as an undoable step; undo also restores name and file."""
         other: _File = None, None, Path(name)  # file and name of the design that is not open
 
         def exchange() -> None:
@@ -208,12 +194,11 @@ class Document(QObject):
             self._begin(session, suggestion, path, found)
 
     def recover(self, session: Session, name: str, path: Path | None, known: str | None) -> None:
-        """Go on with a session that was never saved."""
         self._begin(session, Path(name), path, known)
         self.undo_stack.resetClean()
 
     def on_disk(self, path: Path) -> OnDisk:
-        """What saving to a file would replace; `OnDisk.KNOWN` for any but the design's own."""
+        """Compare a file with the design; `OnDisk.KNOWN` for any file but its own."""
         if self._path is None or path.resolve() != self._path.resolve():
             return OnDisk.KNOWN
         found = fingerprint(path)
@@ -222,7 +207,7 @@ class Document(QObject):
         return OnDisk.GONE if found is None else OnDisk.CHANGED
 
     def revert(self) -> None:
-        """Go back to what the file holds, as one step that can be undone."""
+        """Restore the saved file as an undoable step."""
         if self._path is not None:
             found = fingerprint(self._path)
             self.change(read_session(self._path), tr("revert to the file"))
@@ -232,7 +217,6 @@ class Document(QObject):
     def save(
         self, path: Path, view: dict[str, Any] | None = None, making: Result | None = None
     ) -> None:
-        """Write the session and make ``path`` its file."""
         session = replace(self.verified.complete(self._session), view=view)
         if making is not None:
             session = replace(session, result=making)
@@ -248,11 +232,7 @@ class Document(QObject):
         self.dirty_changed.emit(not clean)
 
     def _begin(
-        self,
-        session: Session,
-        suggestion: Path,
-        path: Path | None = None,
-        known: str | None = None,
+        self, session: Session, suggestion: Path, path: Path | None = None, known: str | None = None
     ) -> None:
         self._path, self._fingerprint, self._suggestion = path, known, suggestion
         self.undo_stack.clear()

@@ -11,10 +11,7 @@ from workbench.files.session import Session
 
 
 def blocks(value: object) -> Iterator[tuple[int, int]]:
-    """Identity and bytes of each array and file in a value made of data classes, tuples and maps.
-
-    Some may come more than once.
-    """
+    """Identity and size of each array and file in nested values; some may come more than once."""
     if isinstance(value, np.ndarray):
         yield id(value), value.nbytes
     elif isinstance(value, bytes):
@@ -43,8 +40,8 @@ _SMALL = 16 << 10  # bytes of a step without arrays of its own: scene, text, Qt'
 class UndoSteps(QUndoStack):
     """The undo stack of a document.
 
-    Sessions share their arrays, so a step costs what the session before it holds and the one
-    after it does not. When all steps together cost too much, the oldest are forgotten.
+    Sessions share arrays: a step costs what the session before it holds alone. The oldest steps are
+    dropped when all together exceed the budget.
     """
 
     forgot = Signal(int)
@@ -55,7 +52,6 @@ class UndoSteps(QUndoStack):
 
     @property
     def cost(self) -> int:
-        """Bytes that are held for taking steps back."""
         return sum(step.cost for step in self._all())
 
     def take(
@@ -66,12 +62,11 @@ class UndoSteps(QUndoStack):
         key: str = "",
         exchange: Callable[[], None] | None = None,
     ) -> None:
-        """Go from one session to the next."""
         self.push(_Step(self._go_to, before, after, text, key, exchange))
         self._forget_oldest()
 
     def amend(self, after: Session) -> None:
-        """Let the last step lead to another session; nothing happens where there is no step."""
+        """Replace the session that the last step leads to, if there is a step."""
         if not self.canUndo():
             return
         self._all()[self.index() - 1].lead_to(after)
@@ -80,12 +75,12 @@ class UndoSteps(QUndoStack):
         self._forget_oldest()
 
     def seal(self) -> None:
-        """Let no later step become part of the last one; nothing happens without a step."""
+        """Keep later steps separate from the last one."""
         if self.canUndo():
             self._all()[self.index() - 1].key = ""
 
     def origin(self, key: str) -> Session | None:
-        """Where the step began that one with this key would become part of, if there is one."""
+        """Return the session before the step that one with this key would be merged with."""
         if not key or self.isClean() or not self.canUndo():
             return None
         last = self._all()[self.index() - 1]
@@ -138,10 +133,7 @@ class _Step(QUndoCommand):
         self.cost = _cost(before, after)
 
     def again(self, key: str = "") -> "_Step":
-        """The same step for an empty stack, which would do what is done already.
-
-        Without a key it stays apart from its neighbours, as it was.
-        """
+        """The same step, already done, for an empty stack; without a key it stays separate."""
         return _Step(
             self._show, self.before, self.after, self.text(), key, self._exchange, done=True
         )
@@ -176,7 +168,7 @@ class _Step(QUndoCommand):
 
 
 def _nothing() -> None:
-    """Most steps stay with the file of their design."""
+    """Exchange nothing: most steps keep the file of their design."""
 
 
 def _cost(before: Session, after: Session) -> int:

@@ -6,15 +6,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QLocale, QObject, QSettings, Qt, Signal
-from PySide6.QtWidgets import QAbstractButton, QMenu, QMessageBox, QWidget
+from PySide6.QtCore import QLocale, QObject, QSettings, Signal
+from PySide6.QtWidgets import QMenu, QMessageBox, QWidget
 
 from resources import Example
 from ui.document.document import ENDING, Document, OnDisk
 from ui.files.dialogs import FileDialogs
 from ui.files.recovery import LeftBehind
-from ui.run.control import LensOnShow
-from ui.widgets.messages import MessageBar
+from ui.run.control import CurrentLens
+from ui.widgets.messages import MessageBar, question
 from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
@@ -28,6 +28,7 @@ class RecentFiles:
 
     def __init__(self, settings: QSettings) -> None:
         self._settings = settings
+        self._offered: list[Path] = []
 
     def paths(self) -> list[Path]:
         """At most ten files; some may be gone by now."""
@@ -38,43 +39,31 @@ class RecentFiles:
         return [Path(path) for path in named if isinstance(path, str)]
 
     def add(self, path: Path) -> None:
-        """Put a file first."""
         path = path.absolute()
         self._store([path, *(other for other in self.paths() if other != path)])
 
     def remove(self, path: Path) -> None:
-        """Forget a file."""
         self._store([other for other in self.paths() if other != path])
+
+    def fill(self, menu: QMenu, open_file: Callable[[Path], object], allowed: bool) -> None:
+        """Offer the files in a menu, if they may be opened now."""
+        paths = self.paths()
+        if paths != self._offered:
+            self._offered = paths
+            menu.clear()
+            for number, path in enumerate(paths, 1):
+                text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
+                menu.addAction(text, partial(open_file, path))
+        for action in menu.actions():
+            action.setEnabled(allowed)  # also in the palette, which asks no menu
+        menu.setEnabled(allowed and bool(paths))
 
     def _store(self, paths: list[Path]) -> None:
         self._settings.setValue(_RECENT_KEY, [str(path) for path in paths[:_MOST_RECENT]])
 
 
-class RecentMenu:
-    """Has an action for each file."""
-
-    def __init__(
-        self, menu: QMenu, recent: RecentFiles, open_file: Callable[[Path], object]
-    ) -> None:
-        self._menu, self._recent, self._open_file = menu, recent, open_file
-        self._shown: list[Path] = []
-
-    def show(self, allowed: bool) -> None:
-        """Name the files of now; whether they may be opened."""
-        paths = self._recent.paths()
-        if paths != self._shown:
-            self._shown = paths
-            self._menu.clear()
-            for number, path in enumerate(paths, 1):
-                text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
-                self._menu.addAction(text, partial(self._open_file, path))
-        for action in self._menu.actions():
-            action.setEnabled(allowed)  # also in the palette, which asks no menu
-        self._menu.setEnabled(allowed and bool(paths))
-
-
 class ChangedFileChoice(Enum):
-    """What to do about a file that is no longer what the design was read from or saved to."""
+    """Answer for a file that has changed on disk."""
 
     OVERWRITE = auto()
     SAVE_AS = auto()
@@ -83,52 +72,30 @@ class ChangedFileChoice(Enum):
 
 
 def ask_about_changed_file(path: Path, found: OnDisk, window: QWidget) -> ChangedFileChoice:
-    """Put the question."""
-    box = QMessageBox(window)
-    box.setIcon(QMessageBox.Icon.Warning)
-    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
-    roles = QMessageBox.ButtonRole
-    choices: dict[QAbstractButton, ChangedFileChoice] = {}
+    """Ask what saving should do about a changed file."""
+    roles, name = QMessageBox.ButtonRole, path.name
+    save_as = (tr("Save &as…"), roles.AcceptRole, ChangedFileChoice.SAVE_AS)
+    cancel = (tr("Cancel"), roles.RejectRole, ChangedFileChoice.CANCEL)
     if found is OnDisk.CHANGED:
-        box.setWindowTitle(tr("The file has changed"))
-        box.setText(
-            tr("Another program has changed {name} since it was last read or saved here.").format(
-                name=path.name
-            )
+        texts = (
+            tr("The file has changed"),
+            tr("Another program has changed {name}.").format(name=name),
+            tr("Overwrite discards its changes. Reload discards yours; Undo restores them."),
         )
-        box.setInformativeText(
-            tr(
-                "Overwrite loses what the file holds now. Reload shows it in place of "
-                "your design; Undo brings your design back."
-            )
-        )
-        choices[box.addButton(tr("&Overwrite"), roles.DestructiveRole)] = (
-            ChangedFileChoice.OVERWRITE
-        )
-        choices[box.addButton(tr("&Reload"), roles.ActionRole)] = ChangedFileChoice.RELOAD
+        overwrite = (tr("&Overwrite"), roles.DestructiveRole, ChangedFileChoice.OVERWRITE)
+        reload = (tr("&Reload"), roles.ActionRole, ChangedFileChoice.RELOAD)
+        answers = [overwrite, reload, save_as, cancel]
     else:
-        box.setWindowTitle(tr("The file is gone"))
-        box.setText(
-            tr("{name} has been deleted, moved or renamed since it was last saved here.").format(
-                name=path.name
-            )
+        here, answers = path.parent.is_dir(), [save_as, cancel]
+        texts = (
+            tr("The file is missing"),
+            tr("{name} was deleted, moved or renamed.").format(name=name),
+            "" if here else tr("Its folder is missing too: {parent}").format(parent=path.parent),
         )
-        if path.parent.is_dir():
-            choices[box.addButton(tr("&Save there again"), roles.ApplyRole)] = (
-                ChangedFileChoice.OVERWRITE
-            )
-        else:
-            box.setInformativeText(
-                tr("Its folder, {parent}, is gone, too.").format(parent=path.parent)
-            )
-    save_as = box.addButton(tr("Save &as…"), roles.AcceptRole)
-    choices[save_as] = ChangedFileChoice.SAVE_AS
-    box.setDefaultButton(save_as)
-    box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
-    box.exec()
-    choice = choices.get(box.clickedButton(), ChangedFileChoice.CANCEL)
-    box.deleteLater()
-    return choice
+        if here:
+            again = (tr("&Save there again"), roles.ApplyRole, ChangedFileChoice.OVERWRITE)
+            answers.insert(0, again)
+    return question(window, QMessageBox.Icon.Warning, texts, answers)
 
 
 _OPENED = later("Designs and scenes ({endings});;All files (*)")
@@ -137,7 +104,7 @@ _KIND = "design"  # of files, for dialogs
 
 
 class Answer(Enum):
-    """What shall become of changes that would be lost."""
+    """Answer for unsaved changes."""
 
     SAVE = QMessageBox.StandardButton.Save
     DISCARD = QMessageBox.StandardButton.Discard
@@ -145,7 +112,7 @@ class Answer(Enum):
 
 
 class FileActions(QObject):
-    """Takes the document to files and back."""
+    """New, open and save."""
 
     opened = Signal()
     saved = Signal(str)
@@ -154,7 +121,7 @@ class FileActions(QObject):
     def __init__(
         self,
         document: Document,
-        lens: LensOnShow,
+        lens: CurrentLens,
         recent: RecentFiles,
         messages: MessageBar,
         dialogs: FileDialogs,
@@ -172,7 +139,7 @@ class FileActions(QObject):
         self.look: Callable[[], dict[str, Any] | None] = lambda: None
 
     def new(self, example: Example) -> bool:
-        """Begin with an example, and say what to look for; False if not opened."""
+        """Open an example and show its hint; False if not opened."""
         if not (self.may_leave() and self._attempt(lambda: self._document.open(example.file))):
             return False
         self.opened.emit()
@@ -180,7 +147,7 @@ class FileActions(QObject):
         return True
 
     def begin(self, session: Session, name: str) -> bool:
-        """Begin a new task, which can be undone; False if unsaved changes are to stay open."""
+        """Open a new task as an undoable step; False if cancelled."""
         if not self.may_leave():
             return False
         self._document.begin(session, name)
@@ -189,7 +156,6 @@ class FileActions(QObject):
         return True
 
     def choose_and_open(self) -> None:
-        """Ask for a file and open it."""
         path = self._dialogs.to_open(
             _KIND, tr("Open"), tr(_OPENED).format(endings=f"*{ENDING} *.json")
         )
@@ -197,10 +163,10 @@ class FileActions(QObject):
             self.open(path)
 
     def open(self, path: Path) -> bool:
-        """Open a file, unless changes would be lost that should not; False if not opened.
+        """Open a file after asking about unsaved changes; False if not opened.
 
-        A file that another window has open is shown there. What is a picture or a file of light is
-        offered for the open design.
+        A file of another window is shown there; pictures and light files are offered for the
+        design.
         """
         other = self.find_other(path)
         if other is not None:
@@ -216,7 +182,7 @@ class FileActions(QObject):
         return True
 
     def recover(self, work: LeftBehind) -> bool:
-        """Go on with unsaved work; False if it cannot be read."""
+        """Open unsaved work; False if it cannot be read."""
         about = work.about
 
         def recover() -> None:
@@ -229,18 +195,17 @@ class FileActions(QObject):
         return True
 
     def revert(self) -> None:
-        """Go back to the file as it was saved."""
         self._attempt(self._document.revert)
 
     def open_recent(self, path: Path) -> None:
-        """Open a file of the list, or strike it off the list if it is gone."""
+        """Open a file of the list, or remove a missing one."""
         if path.exists():
             self.open(path)
             return
         self._recent.remove(path)
         self.recent_changed.emit()
         self._messages.warn(
-            tr("{path} is no longer there; it was taken off the list.").format(path=path)
+            tr("{path} no longer exists; it was removed from the list.").format(path=path)
         )
 
     def save(self) -> bool:
@@ -255,29 +220,25 @@ class FileActions(QObject):
             return False
         if path.suffix != ENDING:  # adding it now might overwrite a file without a question
             self._messages.warn(
-                tr("{name}: the name of a design ends in {ending}").format(
-                    name=path.name, ending=ENDING
-                )
+                tr("{name}: a design file ends in {ending}").format(name=path.name, ending=ENDING)
             )
             return False
         return self._write(path)
 
     def ask_for_name(self) -> Path | None:
-        """Ask where to save."""
         name = self._document.suggested_path.name
         return self._dialogs.to_save(
             _KIND, tr("Save as"), name, {tr(_SAVED).format(endings=f"*{ENDING}"): ENDING}
         )
 
     def may_leave(self) -> bool:
-        """Whether the open design may be left, after saving it if a person wants that."""
+        """Ask about unsaved changes; False if cancelled or not saved."""
         if not self._document.dirty:
             return True
         answer = self.ask(tr("Save the changes to {name}?").format(name=self._document.name))
         return answer is Answer.DISCARD or (answer is Answer.SAVE and self.save())
 
     def ask(self, question: str) -> Answer:
-        """Put a question with the answers Save, Discard and Cancel."""
         buttons = Answer.SAVE.value | Answer.DISCARD.value | Answer.CANCEL.value
         given = QMessageBox.question(
             self._window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
@@ -287,7 +248,7 @@ class FileActions(QObject):
     def _write(self, path: Path) -> bool:
         if self.find_other(path) is not None:  # which would not know of it
             self._messages.warn(
-                tr("{name} is open in another window: choose another name.").format(name=path.name)
+                tr("{name} is open in another window. Choose another name.").format(name=path.name)
             )
             return False
         making = self._lens.in_the_making

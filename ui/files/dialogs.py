@@ -23,9 +23,8 @@ _KEY = "folders"
 class FileDialogs(QObject):
     """Asks for files.
 
-    A dialog begins in the folder that was used last for its kind of file since the design was
-    opened or saved elsewhere; else in the design's own; for a design without one, in the folder
-    that was used last for this kind of file by whatever window.
+    A dialog starts in the folder used last for its kind of file, the folder of the design, or the
+    folder that any window used last.
     """
 
     def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:
@@ -37,7 +36,6 @@ class FileDialogs(QObject):
         document.path_changed.connect(self._follow)
 
     def to_open(self, kind: str, title: str, filters: str) -> Path | None:
-        """Ask for a file that is there."""
         begin = str(self._begin(kind))
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, begin, filters)
         return self._note(kind, Path(chosen)) if chosen else None
@@ -80,7 +78,7 @@ class FileDialogs(QObject):
 
 
 def pasted_picture(folder: Path) -> Path | None:
-    """The picture on the clipboard."""
+    """Return the file of the picture on the clipboard, written to a folder if needed; or None."""
     copied = QGuiApplication.clipboard().mimeData()
     files = [Path(url.toLocalFile()) for url in copied.urls() if url.isLocalFile()]
     if files:
@@ -102,7 +100,7 @@ def _written(image: QImage, folder: Path) -> Path:
 
 
 class ChosenFiles(QObject):
-    """Asks for files where the forms want them, and takes pictures from the clipboard."""
+    """Files that a person chooses, drops or pastes for target and source."""
 
     def __init__(
         self, forms: Forms, dialogs: FileDialogs, messages: MessageBar, parent: QObject
@@ -113,11 +111,10 @@ class ChosenFiles(QObject):
         forms.light_asked.connect(self._choose_light)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {"paste_picture": self.paste}
 
     def take(self, path: Path) -> bool:
-        """Take a file of light or a picture into the design; False for a design or scene."""
+        """Use a light file or picture in the design; False for a design or scene."""
         if is_light_file(path):
             self._forms.choose_light(path)
         elif path.suffix.lower() in (ENDING, ".json"):
@@ -127,7 +124,7 @@ class ChosenFiles(QObject):
         return True
 
     def offer(self, path: Path) -> bool:
-        """Offer to take a file that is no design; whether it is a picture or a file of light."""
+        """Offer to use a picture or light file; False for other files."""
         if not path.is_file() or not (is_light_file(path) or is_image_file(path)):
             return False
         sentence, action = (
@@ -144,7 +141,6 @@ class ChosenFiles(QObject):
         return True
 
     def paste(self) -> None:
-        """Make the picture on the clipboard the target."""
         folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         try:
             path = pasted_picture(Path(folder) / "pasted")

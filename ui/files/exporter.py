@@ -1,9 +1,7 @@
 """Export of the lens, and reports, written in the background.
 
-1. A process of its own makes it: its 3D picture needs VTK, which does not work in a second thread
-   beside the window's.
-2. It writes to a folder of its own. What it has written goes to its place whole, and a process
-   that is killed leaves nothing there.
+A separate process makes a report: VTK does not work in a second thread. It writes to a temporary
+folder, and the complete report is moved to its place.
 """
 
 import shutil
@@ -20,7 +18,7 @@ from PySide6.QtCore import QObject
 from ui.background import Background, Task, sentence_of
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
-from ui.run.control import NO_LENS, LensOnShow
+from ui.run.control import NO_LENS, CurrentLens
 from ui.widgets.messages import MessageBar
 from ui.words import later, tr
 from workbench.errors import RunFailed
@@ -42,7 +40,7 @@ class Exporter(QObject):
     def __init__(
         self,
         document: Document,
-        lens: LensOnShow,
+        lens: CurrentLens,
         messages: MessageBar,
         dialogs: FileDialogs,
         parent: QObject,
@@ -86,9 +84,9 @@ class Exporter(QObject):
     def export(
         self, path: Path, plan: "CutPlan | None" = None, mesh_unit: str = MILLIMETRES
     ) -> None:
-        """Write a file; how a face is cut is asked for, where that counts and is not known."""
+        """Write a file; ask for the cut of G-code without a plan."""
         if self._background.busy:
-            self._messages.note(tr("One file is still being written; export the next after it."))
+            self._messages.note(tr("A file is still being written. Export the next one after it."))
             return
         session = self._lens.session
         if session is None:
@@ -98,7 +96,7 @@ class Exporter(QObject):
             plan = self.ask_cutting(session)
             if plan is None:
                 return
-        self._begun = tr("{name} is being written…").format(name=path.name)
+        self._begun = tr("Writing {name}…").format(name=path.name)
         offers = [] if plan is None else [(tr("Cancel"), self._background.stop)]
         self._messages.note(self._begun, *offers, lasts=True)
         self._background.begin(partial(_write, session, path, plan, mesh_unit), self._lens.text)
@@ -119,7 +117,6 @@ class Exporter(QObject):
         }
 
     def close(self) -> None:
-        """Let the file under way be written. Safe to call twice."""
         self._background.close()
 
     def _show_progress(self, _: object, percent: int) -> None:
@@ -127,7 +124,7 @@ class Exporter(QObject):
 
     def _tell(self, lens: str, written: "Written | None") -> None:
         self._messages.done(
-            tr("No file is written.") if written is None else f"{written.sentence}; {lens}"
+            tr("No file was written.") if written is None else f"{written.sentence}; {lens}"
         )
 
 
@@ -137,17 +134,17 @@ def _write(
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
-    told = 0
+    reported = 0
 
-    def watch(done: float) -> None:
-        nonlocal told
+    def report(done: float) -> None:
+        nonlocal reported
         if task.stopped:
             raise Interrupted
-        if round(100 * done) > told:
-            told = round(100 * done)
-            task.report(told)
+        if round(100 * done) > reported:
+            reported = round(100 * done)
+            task.report(reported)
 
-    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, progress=watch)
+    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, progress=report)
     return written
 
 
@@ -165,12 +162,12 @@ _REPORT_FILTERS = later({"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0
 
 
 class Reporter(QObject):
-    """Asks for a file and has the report written there, one at a time."""
+    """Asks for a file and writes a report in a process, one at a time."""
 
     def __init__(
         self,
         document: Document,
-        lens: LensOnShow,
+        lens: CurrentLens,
         messages: MessageBar,
         dialogs: FileDialogs,
         parent: QObject,
@@ -191,10 +188,9 @@ class Reporter(QObject):
             self.report(path)
 
     def report(self, path: Path) -> None:
-        """Write a report of the lens as it is now."""
         if self._background.busy:
             self._messages.note(
-                tr("One report is still being written; ask for the next after it."),
+                tr("A report is still being written. Start the next one after it."),
                 (tr("Cancel"), self.cancel),
             )
             return
@@ -206,7 +202,7 @@ class Reporter(QObject):
         session = document.verified.complete(found)
         name = document.suggested_path.stem
         self._messages.note(
-            tr("{file} is being written, with a check of {lens}…").format(
+            tr("Writing {file}, with a check of {lens}…").format(
                 file=path.name, lens=self._lens.text
             ),
             (tr("Cancel"), self.cancel),
@@ -222,16 +218,14 @@ class Reporter(QObject):
         )
 
     def cancel(self) -> None:
-        """Write none after all."""
         self._background.stop()
 
     def close(self) -> None:
-        """Cancel the report under way. Safe to call twice."""
         self._background.close()
 
     def _tell(self, _: None, path: Path | None) -> None:
         self._messages.done(
-            tr("No report is written.")
+            tr("No report was written.")
             if path is None
             else tr("{path} is written.").format(path=path)
         )
@@ -265,6 +259,6 @@ def _run_command(command: list[str], task: Task) -> bool:
             except TimeoutExpired:
                 pass
     if process.returncode:
-        *_, last = ["it ended without a word", *output.splitlines()]
+        *_, last = ["it ended without a message", *output.splitlines()]
         raise RunFailed(f"No report: {last.removeprefix(_SAYS)}")
     return True

@@ -18,7 +18,7 @@ from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.messages import MessageBar
 from ui.widgets.native import rgb_image
-from ui.words import error_text, inside, later, tr
+from ui.words import error_text, in_sentence, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
@@ -29,12 +29,13 @@ if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
     from workbench.pictures.axes import Column
 
-_PICTURES = {".png": "png", ".svg": "svg"}
+_PNG = ".png"
+_FORMATS = {_PNG: "png", ".svg": "svg"}
 _TABLE = ".csv"
 _DATA = ".json"
 _FILTERS = later(
     {
-        "Picture in pixels (*.png)": ".png",
+        "Picture in pixels (*.png)": _PNG,
         "Picture in lines (*.svg)": ".svg",
         "Numbers shown (*.csv)": _TABLE,
     }
@@ -42,7 +43,28 @@ _FILTERS = later(
 _FIGURES = later({"Figures (*.json)": _DATA})
 
 
-class Plots(QObject):
+class _PictureFiles(QObject):
+    def __init__(
+        self, document: Document, messages: MessageBar, dialogs: FileDialogs, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._messages, self._dialogs = document, messages, dialogs
+
+    def _ask_for_png(self, title: str, name: str) -> Path | None:
+        filters = {tr("Picture ({endings})").format(endings=f"*{_PNG}"): _PNG}
+        return self._dialogs.to_save("plot", title, name, filters)
+
+    def _write(self, path: Path, write: Callable[[BinaryIO], object], size: str = "") -> None:
+        try:
+            with replacing(path) as file:
+                write(file)
+        except Refused as refused:
+            self._messages.warn(error_text(refused))
+        else:
+            self._messages.done(tr("{path} is written.").format(path=f"{path}{size}"))
+
+
+class Plots(_PictureFiles):
     """Copies and saves the plot that was clicked, or reached by keyboard, last."""
 
     def __init__(
@@ -53,11 +75,8 @@ class Plots(QObject):
         dialogs: FileDialogs,
         parent: QObject,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(document, messages, dialogs, parent)
         self._plots = dict(plots)
-        self._document = document
-        self._messages = messages
-        self._dialogs = dialogs
         self._last = next(iter(plots))
         self._background = Background("plot", self)
         self._background.done.connect(
@@ -70,27 +89,22 @@ class Plots(QObject):
             plot.touched.connect(partial(self._touch, name))
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {"copy_plot": self.copy, "save_plot": self.choose_and_save}
 
     def offer(self, actions: Sequence[QAction]) -> None:
-        """Offer these by a menu on each plot."""
         for plot in self._plots.values():
             plot.offer(actions)
 
     def copy(self) -> None:
-        """Put the picture on the clipboard."""
         name = self._current()
         if name is not None:
             with io.BytesIO() as file:
                 self._plots[name].write(file, "png")
                 QGuiApplication.clipboard().setImage(QImage.fromData(file.getvalue()))
-            self._messages.note(
-                tr("A picture of the {pane} plot is on the clipboard.").format(pane=_in_words(name))
-            )
+            text = tr("A picture of the {pane} plot is on the clipboard.")
+            self._messages.note(text.format(pane=_in_words(name)))
 
     def choose_and_save(self) -> None:
-        """Ask for a file and save the plot there."""
         name = self._current()
         if name is not None:
             self.choose_and_save_plot(name)
@@ -102,17 +116,16 @@ class Plots(QObject):
             self.save(name, path)
 
     def save(self, name: str, path: Path) -> None:
-        """Save a plot; the ending of the file tells as what."""
         ending, plot = path.suffix.lower(), self._plots[name]
         figures = plot.figures()
         if ending == _TABLE:
             self._write_table(plot.data(), path)
         elif ending == _DATA and figures is not None:
             self._write(path, lambda file: file.write(json.dumps(figures, indent=2).encode()))
-        elif ending in _PICTURES:
-            self._write(path, lambda file: plot.write(file, _PICTURES[ending]))
+        elif ending in _FORMATS:
+            self._write(path, lambda file: plot.write(file, _FORMATS[ending]))
         else:
-            known = ", ".join((*_PICTURES, _TABLE, *([] if figures is None else [_DATA])))
+            known = ", ".join((*_FORMATS, _TABLE, *([] if figures is None else [_DATA])))
             self._messages.warn(
                 tr("{name}: a plot is saved as one of {known}").format(name=path.name, known=known)
             )
@@ -121,12 +134,10 @@ class Plots(QObject):
         """Ask for a file; a name without an ending gets that of the chosen kind."""
         filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
         title = tr("Save {pane} plot").format(pane=_in_words(name))
-        suggested = f"{self._document.name} {name}"
-        said = {tr(text): ending for text, ending in filters.items()}
-        return self._dialogs.to_save("plot", title, suggested, said)
+        endings = {tr(text): ending for text, ending in filters.items()}
+        return self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
 
     def close(self) -> None:
-        """Let the file under way be written. Safe to call twice."""
         self._background.close()
 
     def _touch(self, name: str) -> None:
@@ -138,45 +149,29 @@ class Plots(QObject):
             if plot.isVisible() and not plot.empty:
                 plot.draw_now()  # what came in the meantime
                 return name
-        self._messages.note(tr("There is no plot to be seen; View shows the docks of all plots."))
+        self._messages.note(tr("No plot is visible. The View menu shows the docks of plots."))
         return None
-
-    def _write(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
-        try:
-            with replacing(path) as file:
-                write(file)
-        except Refused as refused:
-            self._messages.warn(error_text(refused))
-        else:
-            self._messages.done(tr("{path} is written.").format(path=path))
 
     def _write_table(self, columns: "list[Column]", path: Path) -> None:
         if self._background.busy:
-            self._messages.note(tr("One plot is still being written; save the next after it."))
+            self._messages.note(tr("A plot is still being written. Save the next one after it."))
             return
 
         def work(task: Task) -> None:
-            with replacing(path) as file:
-                write_table(file, [c.values for c in columns], _header(columns), delimiter=",")
+            with io.StringIO() as line, replacing(path) as file:
+                csv.writer(line, lineterminator="").writerow([column.name for column in columns])
+                values = [column.values for column in columns]
+                write_table(file, values, line.getvalue(), delimiter=",")
 
-        self._background.begin(work, path)  # of a large image it takes seconds
-
-
-def _header(columns: "list[Column]") -> str:
-    with io.StringIO() as line:
-        csv.writer(line, lineterminator="").writerow([column.name for column in columns])
-        return line.getvalue()
+        self._background.begin(work, path)  # takes seconds for a large image
 
 
 def _in_words(name: str) -> str:
-    return inside(tr(PANES[name].title))
+    return in_sentence(tr(PANES[name].title))
 
 
-_PNG = ".png"
-
-
-class PhotoPicture(QObject):
-    """Saves the photo that is seen, with its exposure."""
+class PhotoPicture(_PictureFiles):
+    """Saves the predicted photo with its exposure."""
 
     def __init__(
         self,
@@ -187,49 +182,36 @@ class PhotoPicture(QObject):
         show: Callable[[], object],
         parent: QObject,
     ) -> None:
-        super().__init__(parent)
-        self._view, self._document = view, document
-        self._messages, self._dialogs, self._show = messages, dialogs, show
+        super().__init__(document, messages, dialogs, parent)
+        self._view, self._show = view, show
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {"save_photo": self.choose_and_save}
 
     def choose_and_save(self) -> None:
-        """Ask for a file and save the photo there; where there is none yet, let it be predicted."""
+        """Ask for a file and save the photo there; show the view that predicts a missing photo."""
         if self._view.photo is None:
             self._show()
-            self._messages.note(tr("There is no photo of this lens yet; save it once it is seen."))
+            self._messages.note(tr("The photo is not predicted yet. Save it when it is shown."))
             return
         name = tr("{design} photo").format(design=self._document.name)
-        filters = {tr("Picture ({endings})").format(endings=f"*{_PNG}"): _PNG}
-        path = self._dialogs.to_save("plot", tr("Save predicted photo"), name, filters)
+        path = self._ask_for_png(tr("Save predicted photo"), name)
         if path is not None:
             self.save(path)
 
-    def save(self, path: "Path") -> None:
-        """Save the photo as PNG."""
+    def save(self, path: Path) -> None:
         # Late: what it stands on is slow to import.
         from workbench.analysis.photo.photo import write_png
 
         photo = self._view.photo
-        if photo is None:  # the lens has changed while the dialog stood
-            self._messages.note(tr("The lens has changed since; save the photo of the new one."))
-            return
-        try:
-            with replacing(path) as file:
-                write_png(photo, self._view.stops, file)
-        except Refused as refused:
-            self._messages.warn(error_text(refused))
+        if photo is None:  # the lens has changed while the dialog was open
+            self._messages.note(tr("The lens has changed. Save the photo of the new one."))
         else:
-            self._messages.done(tr("{path} is written.").format(path=path))
+            self._write(path, lambda file: write_png(photo, self._view.stops, file))
 
 
-_FILTER = later("Picture ({endings})")
-
-
-class ScenePictures(QObject):
-    """Copies and saves what the 3D view shows."""
+class ScenePictures(_PictureFiles):
+    """Copies and saves the picture of the 3D view."""
 
     def __init__(
         self,
@@ -239,67 +221,46 @@ class ScenePictures(QObject):
         dialogs: FileDialogs,
         parent: QObject,
     ) -> None:
-        super().__init__(parent)
-        self._view, self._document = view, document
-        self._messages, self._dialogs = messages, dialogs
+        super().__init__(document, messages, dialogs, parent)
+        self._view = view
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {
             "copy_scene": self.copy,
             **{name: partial(self.choose_and_save, times) for name, times in PICTURES.items()},
         }
 
     def copy(self) -> None:
-        """Put the picture on the clipboard."""
         image = self._image(1)
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
             self._messages.done(tr("A picture of the 3D scene is on the clipboard."))
 
     def choose_and_save(self, times: int) -> None:
-        """Ask for a file and save the picture there, so many times as large as it is seen."""
-        path = self.ask_for_name() if self._seen() else None
+        """Ask for a file and save the picture there, magnified by a whole number."""
+        path = self.ask_for_name() if self._is_shown() else None
         if path is not None:
             self.save(path, times)
 
     def save(self, path: Path, times: int) -> None:
-        """Save the picture as PNG."""
         image = self._image(times)
-        if image is None:
-            return
-        buffer = QBuffer()
-        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-        QImageWriter(buffer, b"png").write(image)
-        try:
-            with replacing(path) as file:
-                file.write(bytes(buffer.data().data()))
-        except Refused as refused:
-            self._messages.warn(error_text(refused))
-        else:
-            self._messages.done(
-                tr("{path} is written, {width} × {height} pixels.").format(
-                    path=path, width=image.width(), height=image.height()
-                )
-            )
+        if image is not None:
+            buffer = QBuffer()
+            buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+            QImageWriter(buffer, b"png").write(image)
+            size = f" ({image.width()} × {image.height()})"
+            self._write(path, lambda file: file.write(bytes(buffer.data().data())), size)
 
     def ask_for_name(self) -> Path | None:
-        """Ask for a file."""
-        name = f"{self._document.name} 3D"
-        return self._dialogs.to_save(
-            "plot",
-            tr("Save picture of 3D"),
-            name,
-            {tr(_FILTER).format(endings=f"*{_PNG}"): _PNG},
-        )
+        return self._ask_for_png(tr("Save picture of 3D"), f"{self._document.name} 3D")
 
-    def _seen(self) -> bool:
+    def _is_shown(self) -> bool:
         if not self._view.isVisible():
-            self._messages.note(tr("The 3D scene is hidden; View > 3D scene shows it."))
+            self._messages.note(tr("The 3D scene is hidden. View > 3D scene shows it."))
         return self._view.isVisible()
 
     def _image(self, times: int) -> QImage | None:
-        if not self._seen():
+        if not self._is_shown():
             return None
         QGuiApplication.setOverrideCursor(QCursor(Qt.CursorShape.WaitCursor))
         try:

@@ -1,11 +1,9 @@
 """Unsaved work: kept beside the settings, and offered at the next start.
 
-Each window keeps a session file, says in a small file beside it what is in it, and holds a lock.
-
-1. Each window writes a file of its own and holds a lock beside it, so that several windows can be
-   open. A lock whose process is gone tells that its file was left behind.
-2. Sessions are immutable, so a thread of its own writes them: a large one would hold the window up.
-3. A run hands its result over at its end. Until then the lens of its latest frame is kept.
+1. Each window writes a session, a description beside it, and a lock. A lock without a process marks
+   a session to recover.
+2. A thread writes the immutable session, so that a large one does not block the window.
+3. During a run the lens of its latest frame is kept.
 """
 
 import json
@@ -19,11 +17,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
-from PySide6.QtCore import QLockFile, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.background import Background, Task, sentence_of
 from ui.document.document import ENDING, Document
+from ui.widgets.messages import question
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.atomic import remove_left_behind, replacing
@@ -36,7 +35,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class About:
-    """What is said of a session beside it."""
+    """Description of a kept session, in a file beside it."""
 
     name: str
     path: Path | None = None
@@ -45,7 +44,7 @@ class About:
 
     @classmethod
     def read(cls, file: Path) -> "About":
-        """Read it; where it is lost or damaged, the session itself is what counts."""
+        """Read the description; a default if it is missing or damaged."""
         try:
             about = json.loads(file.read_bytes())
             path, name, ended = about["path"], str(about["name"]), bool(about.get("ended"))
@@ -54,7 +53,6 @@ class About:
             return cls("recovered")
 
     def write(self, file: Path) -> None:
-        """Write it."""
         path = None if self.path is None else str(self.path)
         with replacing(file) as content:
             content.write(json.dumps(asdict(self) | {"path": path}).encode())
@@ -62,7 +60,7 @@ class About:
 
 @dataclass(frozen=True)
 class LeftBehind:
-    """Work of a window that was not closed; nobody else is offered it meanwhile."""
+    """Unsaved work of a window that was not closed, with its lock."""
 
     file: Path
     about: About
@@ -70,11 +68,10 @@ class LeftBehind:
 
     @property
     def kept_at(self) -> datetime:
-        """When it was written."""
         return datetime.fromtimestamp(self.file.stat().st_mtime)
 
     def remove(self) -> None:
-        """Nobody needs it any more; where it cannot be removed, the next start asks again."""
+        """Delete the work; if that fails, the next start asks again."""
         for file in (self.file, about_of(self.file)):
             with suppress(OSError):
                 file.unlink(missing_ok=True)
@@ -82,12 +79,11 @@ class LeftBehind:
         self.lock.unlock()
 
     def put_back(self) -> None:
-        """Let another start find it."""
         self.lock.unlock()
 
 
 def find_left_behind(folder: Path) -> list[LeftBehind]:
-    """What windows that are gone have left in a folder, the latest first."""
+    """Return unsaved work of closed processes in a folder, the latest first."""
     found = []
     marks = (*folder.glob(f"*{ENDING}"), *folder.glob("*.lock"))
     for file in {mark.with_suffix(ENDING) for mark in marks}:
@@ -110,12 +106,12 @@ def lock_of(file: Path) -> QLockFile:
 
 
 def about_of(file: Path) -> Path:
-    """The file that says what a session is."""
+    """Return the description file of a session."""
     return file.with_suffix(".json")
 
 
 class RecoveryChoice(Enum):
-    """What shall become of work that was left behind."""
+    """Answer for unsaved work."""
 
     RECOVER = auto()
     DISCARD = auto()
@@ -125,7 +121,7 @@ class RecoveryChoice(Enum):
 def offer_left_behind(
     works: Sequence[LeftBehind], recover: Callable[[LeftBehind], bool], window: QWidget
 ) -> bool:
-    """Ask what shall become of each."""
+    """Ask about each; whether any was recovered."""
     recovered = 0
     for work in works:
         choice = ask(work, window)
@@ -139,33 +135,24 @@ def offer_left_behind(
 
 
 def ask(work: LeftBehind, window: QWidget) -> RecoveryChoice:
-    """Put the question about one."""
-    box, name = QMessageBox(window), work.about.name
-    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
-    box.setWindowTitle(tr("Unsaved work"))
-    if work.about.ended:
-        box.setIcon(QMessageBox.Icon.Information)
-        box.setText(
-            tr("{name} had unsaved changes when the workbench was asked to end.").format(name=name)
-        )
-    else:
-        box.setIcon(QMessageBox.Icon.Question)
-        box.setText(
-            tr("The workbench was not closed. Unsaved changes to {name} were kept.").format(
-                name=name
-            )
-        )
-    box.setInformativeText(tr("Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.").format(kept_at=work.kept_at))
-    roles = QMessageBox.ButtonRole
-    recover = box.addButton(tr("&Recover"), roles.AcceptRole)
-    discard = box.addButton(tr("&Discard"), roles.DestructiveRole)
-    box.setEscapeButton(box.addButton(tr("Ask &later"), roles.RejectRole))
-    box.exec()
-    pressed = box.clickedButton()
-    box.deleteLater()
-    if pressed == recover:
-        return RecoveryChoice.RECOVER
-    return RecoveryChoice.DISCARD if pressed == discard else RecoveryChoice.LATER
+    """Ask what to do with one."""
+    icons, roles = QMessageBox.Icon, QMessageBox.ButtonRole
+    text = (
+        tr("{name} had unsaved changes when the program was told to end.")
+        if work.about.ended
+        else tr("The program ended unexpectedly. Unsaved changes to {name} were kept.")
+    )
+    kept = tr("Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.").format(kept_at=work.kept_at)
+    return question(
+        window,
+        icons.Information if work.about.ended else icons.Question,
+        (tr("Unsaved work"), text.format(name=work.about.name), kept),
+        [
+            (tr("&Recover"), roles.AcceptRole, RecoveryChoice.RECOVER),
+            (tr("&Discard"), roles.DestructiveRole, RecoveryChoice.DISCARD),
+            (tr("Ask &later"), roles.RejectRole, RecoveryChoice.LATER),
+        ],
+    )
 
 
 _EVERY_MS = 60_000
@@ -198,11 +185,9 @@ class Recovery(QObject):
 
     @property
     def folder(self) -> Path:
-        """Where it is kept."""
         return self._file.parent
 
     def start(self) -> None:
-        """Keep what is not saved, every minute."""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -212,7 +197,7 @@ class Recovery(QObject):
             self._timer.start()
 
     def follow(self, control: "RunControl") -> None:
-        """Keep the lens of a run while it goes on, and its result at once."""
+        """Back up the lens of a run, and its result at once."""
 
         def note(frame: "Frame") -> None:
             if control.busy:
@@ -226,7 +211,7 @@ class Recovery(QObject):
         control.ended.connect(end)
 
     def keep(self) -> None:
-        """Write what is not saved, unless that is done; remove what is saved."""
+        """Back up unsaved work; remove the backup of saved work."""
         session = self._unsaved()
         if session is None:
             if not self._background.running:
@@ -238,7 +223,6 @@ class Recovery(QObject):
             self._background.begin(partial(_write, work, about, self._file))
 
     def close(self, leave: bool = False) -> None:
-        """End keeping; safe to call twice."""
         if self._closed:
             return
         self._closed = True
@@ -253,7 +237,7 @@ class Recovery(QObject):
         self._lock.unlock()
 
     def keep_now(self) -> bool:
-        """Keep, and wait until that is done; whether anything is kept."""
+        """Back up now and wait; whether there is a backup."""
         self.keep()
         self._background.finish()
         return self._kept is not None
@@ -275,9 +259,7 @@ class Recovery(QObject):
     def _tell(self, reason: str) -> None:
         if not self._warned:
             self._warned = True
-            self.failed.emit(
-                tr("Unsaved work cannot be kept for a recovery. {reason}").format(reason=reason)
-            )
+            self.failed.emit(tr("Unsaved work cannot be backed up. {reason}").format(reason=reason))
 
     def _remove(self) -> None:
         self._kept = None

@@ -1,1 +1,1 @@
-"""The lens under a person's hands."""
+"""Tools of the 3D scene that change lens and source."""

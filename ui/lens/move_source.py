@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.views.keys import ARROWS
-from ui.views.tools.tool import Pointer
+from ui.views.tools import ARROWS, Pointer
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.source_handles import ElementHandle, Handle, moved
@@ -38,27 +37,10 @@ class _Drag:
 
 
 class MoveSource(QObject):
-    """The tool for the source, and for elements of a train.
-
-    Parameters
-    ----------
-    view : SceneView
-        Where they are shown.
-    scene : callable
-        The scene whose source or element to move, or None while none may be moved.
-
-    Attributes
-    ----------
-    begun : Signal()
-        A drag has begun: what is moved until the next one is one step.
-    moved : Signal(Scene)
-        The scene with what has been dragged at its new place, not checked yet.
-    taken_back : Signal()
-        It is to be where it was when the drag began.
-    """
+    """The tool for the source, and for elements of a train."""
 
     begun = Signal()
-    moved = Signal(object)
+    moved = Signal(object)  # Scene
     taken_back = Signal()
 
     cursor = Qt.CursorShape.OpenHandCursor
@@ -75,20 +57,17 @@ class MoveSource(QObject):
 
     @property
     def hint(self) -> str:
-        """What can be done with it, in a line."""
         source = self._view.source
         if self._view.has_train:
-            return tr(
-                "Drag the source or an element across, Ctrl: along z; Shift: finely; Esc: back."
-            )
+            return tr("Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.")
         if source is None or source.place is None:
-            return tr("Collimated light comes from everywhere: choose another source to move it")
+            return tr("Collimated light has no position")
         text = tr(
-            "Drag the source across, Ctrl: along z; or use arrows, Page Up and Page "
-            "Down; Shift: finely; Esc: back. "
+            "Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: "
+            "fine, Esc: cancel. "
         )
         if len(source.corners):
-            text += tr("Corners: its size. ")
+            text += tr("Drag corners to resize. ")
         lengths = (
             f"{tr(field.title)} {_words(getattr(source, field.name))}"
             for field in source.fields()
@@ -97,7 +76,6 @@ class MoveSource(QObject):
         return f"{text}{', '.join(lengths)} {self._view.unit}"
 
     def press(self, at: Pointer) -> bool:
-        """Take hold of the source or a corner of it."""
         handle = self._view.handles.pick(at.x, at.y) if self._view.handles else None
         if handle is None:
             return False
@@ -105,7 +83,6 @@ class MoveSource(QObject):
         return True
 
     def drag(self, at: Pointer) -> None:
-        """Take it where the pointer goes, in its plane or along the axis."""
         drag, sight = self._drag, self._view.sight
         if drag is None or drag.at is None or sight is None:
             return
@@ -119,32 +96,28 @@ class MoveSource(QObject):
         self._move(drag, sight.movement(middle, to, gone) @ to, at.fine)
 
     def press_key(self, key: int) -> None:
-        """Take hold of the source, wherever the pointer is."""
         source = self._view.source
         if source is not None and source.place is not None:
             self._begin("middle")
 
     def repeat_key(self, key: int, fine: bool) -> None:
-        """Take it a little further."""
         drag, optic = self._drag, self._view.optic
         if drag is not None and optic is not None:
             self._move(drag, _STEP * max(optic.half_width) * np.array(_STEPS[key]), fine)
 
     def release(self) -> None:
-        """Leave it there."""
         self._drag = None
 
     def cancel(self) -> None:
-        """Put it back."""
         drag, self._drag = self._drag, None
         if drag is not None:
             self.taken_back.emit()
 
     def hover(self, at: Pointer | None) -> None:
-        """Nothing lights up: the handles are seen."""
+        """Do nothing: the handles are visible."""
 
     def turn_wheel(self, steps: int) -> None:
-        """It has no size."""
+        """Do nothing: the tool has no size."""
 
     def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
         scene = self._scene()

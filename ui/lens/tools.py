@@ -1,61 +1,102 @@
-"""Hands on the lens: between the tools of the 3D scene and the document.
+"""Tools of the 3D scene: between the document and what the user drags.
 
-1. A drag is one step that can be undone. Until its lens is traced it is no step yet: a result has
-   the light of its lens.
-2. Frames of a drag go the way of all frames, so every view shows them.
-3. Whatever else changes the design in the midst of a drag ends the drag.
+1. A drag is one undoable step, made when its lens is traced: a result includes its irradiance.
+2. One lens is traced at a time, in a thread; of later requests only the latest is traced.
+3. Any other change of the design ends the drag.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.lens.brush import Brush
-from ui.lens.live import Draft, LiveLens
-from ui.lens.lock import Lock
+from ui.background import Background, Task, sentence_of
+from ui.lens.brush_tools import Brush, Lock, Sculpt
 from ui.lens.move_source import MoveSource
-from ui.lens.sculpt import Sculpt
-from ui.shown.frame import same_task
+from ui.shown.frame import Frame, make_frame, same_task
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
+from workbench.design.evaluation import Evaluator
 from workbench.design.limits import bounded, undesigned
+from workbench.design.snapshot import History
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
+from workbench.optics.ready import without_waiting
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from ui.document.document import Document
     from ui.run.control import RunControl
-    from ui.shown.frame import Frame
     from ui.views.scene_view import SceneView
-    from ui.views.tools.tool import Tool
+    from ui.views.tools import Tool
+    from workbench.design.snapshot import Result
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
 
-_BUSY = later("Stop the run first; then change the {optic} by hand.")
-_NO_LENS = later("There is no {optic} to shape yet.")
+
+@dataclass(frozen=True, eq=False)
+class Draft:
+    """A lens during a drag."""
+
+    session: "Session"
+    heights: "ControlHeights"
+    earlier: "Result | None" = None
+    settled: bool = False
+
+
+class LiveLens(QObject):
+    """Traces drafts in a thread, the latest next."""
+
+    traced = Signal(object, object)  # Draft, Frame
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._background = Background("trace of the lens", self, finish_first=True)
+        self._background.done.connect(self.traced)
+        self._background.failed.connect(self._give_up)
+        self._evaluator: Evaluator | None = None
+
+    def show(self, draft: Draft) -> None:
+        self._background.begin(partial(self._trace, draft), draft)
+
+    def forget(self) -> None:
+        self._background.cancel()
+
+    def close(self) -> None:
+        self._background.close()
+
+    def _trace(self, draft: Draft, task: Task) -> Frame:
+        session, heights = draft.session, draft.heights
+        scene, target = session.scene, session.target
+        with without_waiting():
+            there = self._evaluator
+            if there is None or not there.suits(scene, target):
+                self._evaluator = there = Evaluator(scene, target, heights)
+            snapshot = there.snapshot(heights, draft.earlier)
+        return make_frame(session, snapshot, History(draft.earlier))
+
+    def _give_up(self, draft: Draft, error: Exception) -> None:
+        if not self._background.busy:  # else a later draft is traced
+            called = draft.session.scene.optic.called
+            self.failed.emit(sentence_of(error, tr("ray trace of the {optic}", optic=called)))
+
+
+_BUSY = later("Stop the run first, then sculpt the {optic}.")
+_NO_LENS = later("There is no {optic} to sculpt yet.")
 _ONE_FACE = later(
-    "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
+    "There is only one freeform face. Design > Freeform entrance face adds a second one."
 )
-_NOT_TO_SCALE = later("Show distances to scale first (View > Shorten gaps); then move the source.")
+_NOT_TO_SCALE = later("Switch off View > Compress distances first, then move the source.")
 
 
 class LensTools(QObject):
-    """Turns what hands do to control points, locks and source into steps of the document.
-
-    Attributes
-    ----------
-    message : Signal(str)
-        Why something does not move.
-    lens_taken : Signal()
-        A hand shapes the lens: nothing else may until the next edit.
-    """
+    """Tools for control points, locks and source; their drags become undoable steps."""
 
     message = Signal(str)
     lens_taken = Signal()
@@ -86,7 +127,6 @@ class LensTools(QObject):
         control.runner.state_changed.connect(self._abandon)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {
             **{name: partial(self._use, tool) for name, tool in self._tools.items()},
             "other_face": self._turn_over,
@@ -98,7 +138,6 @@ class LensTools(QObject):
         }
 
     def close(self) -> None:
-        """Wait for the thread; safe to call twice."""
         drawing_queue().hurry(False)
         self._live.close()
 
@@ -120,7 +159,6 @@ class LensTools(QObject):
         self._view.use(tool)
 
     def _turn_over(self) -> None:
-        """Work on the next face, seen from outside."""
         optic, nets = self._view.optic, self._view.nets
         if optic is None or len(nets.faces) < 2:
             self.message.emit(tr(_ONE_FACE))
@@ -142,7 +180,6 @@ class LensTools(QObject):
         return not self._control.busy
 
     def _may_change(self) -> bool:
-        """Whether what is shown is the lens of the design, and no run works on it."""
         if not self._is_idle():
             return False
         frame, scene = self._view.frame, self._document.session.scene
@@ -156,7 +193,6 @@ class LensTools(QObject):
         return there
 
     def _heights(self) -> "ControlHeights | None":
-        """Of the faces of the lens that is shown, which a hand may now shape."""
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
@@ -187,7 +223,6 @@ class LensTools(QObject):
 
     @property
     def _key(self) -> str:
-        """What makes all edits of a drag one step."""
         return f"drag {self._drags}"
 
     def _move(self, moved: Scene) -> None:
@@ -227,7 +262,6 @@ class LensTools(QObject):
             self._control.preview()  # of the design with its other source, once that rests
 
     def _keep(self, frame: "Frame") -> None:
-        """Make a step of a drag that has come to its end, unless it led back."""
         if _lens_of(self._document.session) != frame.state.heights:
             text = tr("move control points")
             self._as_own(lambda: self._document.set_result(frame.result, text))
@@ -239,7 +273,6 @@ class LensTools(QObject):
             self._control.preview()
 
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
-        """Change the locks of all faces."""
         if self._is_idle():
             session = self._document.session
             nets = freeform_nets(session.scene.optic)
@@ -277,12 +310,10 @@ class LensTools(QObject):
 
 
 def _differ_by_source(one: "Session", other: "Session") -> bool:
-    """Whether pictures of both differ in nothing but light, and where it comes from."""
     lit = other.scene.model_copy(update={"source": one.scene.source})
     return same_task(one, replace(other, scene=lit))
 
 
 def _lens_of(session: "Session") -> "ControlHeights":
-    """Heights of the lens as it stands, or of the one before any design."""
     heights = session.heights
     return undesigned(bounded(session.scene)) if heights is None else heights

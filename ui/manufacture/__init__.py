@@ -1,1 +1,1 @@
-"""What a shop asks of the lens on show: figures, limits and maps."""
+"""Manufacture: docks Manufacture and Tolerances, dialog of the ball cutter."""

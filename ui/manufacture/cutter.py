@@ -1,8 +1,4 @@
-"""Dialog of a ball cutter: its fields, and the simulated cut.
-
-The simulation follows the fields: each change begins it anew after a moment. Only a cut whose
-cutter fits can be written.
-"""
+"""Dialog of a ball cutter. Each change of a field restarts the simulation of the cut."""
 
 import json
 from dataclasses import asdict
@@ -25,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task, sentence_of
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.errors import Refused
@@ -40,35 +37,32 @@ _LENGTHS = later(
     {
         "tool_radius": (
             "Tool radius",
-            "a radius that fits",
-            "Radius of the ball. Left empty: that of the design task, or one that fits everywhere.",
+            "automatic",
+            "Radius of the ball cutter. Empty: the radius of the design task, or the largest "
+            "that fits everywhere.",
         ),
         "scallop": (
-            "Ridges",
-            later("fine"),
+            "Scallop height",
+            later("automatic"),
             (
-                "How high ridges between neighbouring cuts may be. Left empty: 1e-4 of "
-                "the larger half-width, or higher where that takes more moves than a "
-                "program can have."
+                "Largest height of material between neighbouring passes. Empty: 1e-4 of the "
+                "larger half-width, or more where that needs too many moves."
             ),
         ),
-        "rim": ("Clamping rim", "0", "Width of stock around the lens, to hold it by."),
+        "rim": ("Clamping rim", "0", "Width of stock around the lens for clamping."),
         "safe_height": (
             "Travel height",
             "the ball's diameter",
-            "How far over its highest cut the cutter travels.",
+            "Height of rapid moves above the highest cut.",
         ),
     }
 )
 _MACHINE = later(
     {
-        "feed": ("Feed", "How fast the cutter moves while it cuts."),
-        "plunge_feed": ("Plunge feed", "How fast the cutter goes down into the stock."),
-        "spindle_speed": ("Spindle speed", "Revolutions a minute, clockwise."),
-        "dwell": (
-            "Dwell",
-            "How long the cutter waits above the stock until the spindle is at its speed.",
-        ),
+        "feed": ("Feed", "Feed rate while cutting."),
+        "plunge_feed": ("Plunge feed", "Feed rate while plunging into the stock."),
+        "spindle_speed": ("Spindle speed", "Revolutions per minute, clockwise."),
+        "dwell": ("Dwell", "Wait above the stock until the spindle has reached its speed."),
     }
 )
 
@@ -97,15 +91,12 @@ class CutFields(QWidget):
             text, usual = (f"{getattr(each, name):g}" for each in (begin_with, PLAIN))
             self._add(name, tr(title), text, usual, f"{tr(tip)} {allowed}", of)
         self.mould = QCheckBox(tr("Cut a mould of the face"))
-        self.mould.setToolTip(
-            tr("The negative: hollows become humps, turned over about the y axis.")
-        )
+        self.mould.setToolTip(tr("Cut the negative of the face, turned over about the y axis."))
         self.mould.setChecked(begin_with.negative)
         self.mould.toggled.connect(self.changed)
         self._form.addRow("", self.mould)
 
     def cutting(self) -> Cutting:
-        """What the fields say."""
         numbers = {name: self._number(name) for name in self.lines}
         stated = {name: value for name, value in numbers.items() if value is not None}
         try:
@@ -122,7 +113,9 @@ class CutFields(QWidget):
         line.textEdited.connect(self.changed)
         row = QHBoxLayout()
         row.addWidget(line, 1)
-        row.addWidget(QLabel(unit))
+        label = QLabel(unit)
+        label.setMinimumWidth(label.fontMetrics().horizontalAdvance("mm/min"))
+        row.addWidget(label)
         self._form.addRow(title, row)
 
     def _number(self, name: str) -> float | None:
@@ -158,20 +151,19 @@ RAYS = 1_000_000
 _REST_MS = 400  # after the last key before the cut is simulated
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
-    "A finishing pass of a ball cutter as G-code in millimetres (GRBL, "
-    "LinuxCNC). The cut is simulated before it is written: a cutter that "
-    "leaves too much material standing, or cuts too deep, is refused."
+    "Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut "
+    "is simulated first; a cutter that leaves too much material or cuts too deep is refused."
 )
 
 
 class AskCutting:
-    """Asks how a lens is cut, and begins with the last answer, also after another start."""
+    """Asks for the cut of a lens, starting from the last answer."""
 
     def __init__(self, window: QWidget, settings: QSettings) -> None:
         self._window, self._settings = window, settings
 
     def __call__(self, session: "Session") -> "CutPlan | None":
-        """The answer; None if the lens shall not be cut."""
+        """Return the planned cut; None if cancelled."""
         unit = session.scene.unit
         dialog = CutterDialog(session, kept_cutting(self._settings, unit), self._window)
         try:
@@ -184,7 +176,7 @@ class AskCutting:
 
 
 class CutterDialog(QDialog):
-    """Fields of a cut, and what it would leave of a lens."""
+    """Fields of a cut, and the result of its simulation."""
 
     def __init__(self, session: "Session", begin_with: Cutting, window: QWidget) -> None:
         super().__init__(window)
@@ -196,35 +188,27 @@ class CutterDialog(QDialog):
         self.fields.changed.connect(self._follow)
         self.found = WrappedLabel()
         self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.found.setAccessibleName(tr("What the cut leaves"))
+        self.found.setAccessibleName(tr("Result of the simulation"))
         self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
         self.found.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.bar = QProgressBar()
         self.bar.setRange(0, 100)
         self.stop = QPushButton(tr("Stop"))
-        self.stop.setToolTip(tr("Stop the simulation; a change of a field begins it anew"))
+        self.stop.setToolTip(tr("Stop the simulation; a change of a field restarts it"))
         self.stop.clicked.connect(self._stop)
         self.fit = QPushButton()
         self.fit.clicked.connect(self._take_fitting)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.write = buttons.addButton(tr("&Write G-code…"), QDialogButtonBox.ButtonRole.AcceptRole)
         self.look = buttons.addButton(tr("&Trace light"), QDialogButtonBox.ButtonRole.ActionRole)
-        self.look.setToolTip(
-            tr("Trace light through what the cut leaves, beside the lens as designed")
-        )
+        self.look.setToolTip(tr("Compare the image of the lens as made with the lens as designed"))
         self.look.clicked.connect(self.trace)
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
-        working = QHBoxLayout()
-        working.addWidget(self.bar, 1)
-        working.addWidget(self.stop)
-        working.addWidget(self.fit)
-        column = QVBoxLayout(self)
-        column.addWidget(WrappedLabel(tr(_ABOUT)))
-        column.addWidget(self.fields)
-        column.addWidget(self.found)
-        column.addLayout(working)
-        column.addWidget(buttons)
+        working = filled(QHBoxLayout(), (self.bar, 1), self.stop, self.fit)
+        filled(
+            QVBoxLayout(self), WrappedLabel(tr(_ABOUT)), self.fields, self.found, working, buttons
+        )
         self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
@@ -239,7 +223,6 @@ class CutterDialog(QDialog):
         self.simulate()
 
     def simulate(self) -> None:
-        """Simulate the cut in a thread; with its verdict it can be written, or not."""
         self._forget()
         try:
             cutting = self.fields.cutting()
@@ -250,7 +233,6 @@ class CutterDialog(QDialog):
         self._background.begin(partial(_plan, self._session, cutting))
 
     def trace(self) -> None:
-        """Trace light through what the cut leaves, in a thread."""
         if self.plan is not None:
             self._goes_on = self.look.hasFocus()
             self.look.setEnabled(False)
@@ -289,7 +271,7 @@ class CutterDialog(QDialog):
 
     def _tell(self, _: None, found: "CutPlan | str | None") -> None:
         if found is None:
-            stopped = tr("Stopped: the cut is not simulated.")
+            stopped = tr("Stopped before the end of the simulation.")
             self._end(stopped if self.plan is None else _words(self.plan, self._unit))
         elif isinstance(found, str):
             assert self.plan is not None
@@ -339,10 +321,7 @@ def _words(plan: "CutPlan", unit: str) -> str:
     cut_off, left, _ = plan.errors
     deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(cut_off, unit, 2))
     whole = cut_off < _NEGLIGIBLE * left
-    found = tr(
-        "Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, "
-        "as ridges or where the ball does not fit."
-    ).format(
+    found = tr("Radius {radius}, {size:,} moves. {deep}; up to {left} of material remains.").format(
         radius=written(plan.raster.radius, unit),
         size=plan.raster.tip.size,
         left=written(left, unit, 2),
@@ -369,4 +348,4 @@ def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
     found = task.follow(steps, task.report)
     if found is None:
         return None
-    return f"{tr(found.sentence)} {tr('Polishing takes ridges away.')}"
+    return f"{tr(found.sentence)} {tr('Polishing removes scallops.')}"

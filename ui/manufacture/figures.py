@@ -18,31 +18,31 @@ from workbench.scene import LENGTH, Measure, Scene
 
 _ROWS = later(
     {
-        "min_thickness": ("Thinnest", "The part has to be as thick as this everywhere"),
-        "max_thickness": ("Thickest", "The part must not be thicker than this anywhere"),
+        "min_thickness": ("Thinnest", "Least thickness of the element"),
+        "max_thickness": ("Thickest", "Largest thickness of the element"),
         "max_slope": (
             "Slope",
             "Largest angle between a freeform face and a plane across the axis, in degrees",
         ),
         "min_radius": (
             "Concave radius",
-            "Smallest radius that a tool can cut, of concave and convex places",
+            "Least radius of curvature that a tool can cut, concave or convex",
         ),
         "min_tool_radius": (
-            "Largest ball that fits",
+            "Largest ball cutter",
             (
-                "Radius of the ball cutter that has to reach every place of the face. One that is "
-                "too large for a hollow leaves material standing there"
+                "Radius of the ball cutter that must fit everywhere on the face. A larger ball "
+                "leaves material in hollows"
             ),
         ),
     }
 )
 _ANGLE = "max_slope"
-_HINT = later("Empty: what the design task keeps to, if anything. Kept for the next start.")
+_HINT = later("Empty: the limit of the design task. Stored for the next start.")
 
 
 class LimitFields(QObject):
-    """A field for each limit. An empty one stands for the limit that the design keeps to."""
+    """A field for each limit; an empty field means the limit of the design."""
 
     changed = Signal(object)  # Limits
 
@@ -67,12 +67,10 @@ class LimitFields(QObject):
 
     @property
     def limits(self) -> Limits:
-        """Those that count now."""
         own = self._own()
         return Limits(**{name: self._kept(name) or own[name] for name in self.rows})
 
     def show_scene(self, scene: Scene) -> None:
-        """Take unit and own limits of another design."""
         before, self._scene = self._scene, scene
         if before is None or before.unit != scene.unit:
             for row in self.rows.values():
@@ -90,7 +88,11 @@ class LimitFields(QObject):
                 row.refuse(f"{error}")
                 return
             if not 0 < value < math.inf:
-                row.refuse(tr("{value:g}; a number above 0, or nothing").format(value=value))
+                row.refuse(
+                    tr(
+                        "{value:g} is not possible; enter a number above 0 or leave it empty"
+                    ).format(value=value)
+                )
                 return
         row.refuse("")
         self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
@@ -138,15 +140,12 @@ class LimitFields(QObject):
 
 _STATES = later(
     {
-        "met": ("✓ met", "No place is beyond the limit."),
+        "met": ("✓ met", "The limit is kept everywhere."),
         "open": (
-            "? open",
-            (
-                "No place that was looked at is beyond the limit, but that no other "
-                "place is, is not proved: {bound} is all that the face surely keeps to."
-            ),
+            "? not checked yet",
+            ("The limit is kept at all sampled points. Proved for the whole face: {bound}."),
         ),
-        "broken": ("✗ broken", "Some places are beyond the limit; the map shows where."),
+        "broken": ("✗ exceeded", "The limit is exceeded; the map shows where."),
     }
 )
 """Sign, word and tip of each verdict."""
@@ -168,33 +167,18 @@ _LINES = {
 }
 _OF_FACE = later(
     {
-        "steepest": (
-            "Slope",
-            "Largest angle between the face and a plane across the axis",
-        ),
-        "tightest_concave": (
-            "Concave radius",
-            "Smallest radius of curvature of concave places",
-        ),
-        "tightest_convex": (
-            "Convex radius",
-            "Smallest radius of curvature of convex places",
-        ),
+        "steepest": ("Slope", "Largest angle between the face and a plane across the axis"),
+        "tightest_concave": ("Concave radius", "Least concave radius of curvature"),
+        "tightest_convex": ("Convex radius", "Least convex radius of curvature"),
         "tool_radius": (
-            "Largest ball that fits",
+            "Largest ball cutter",
             (
-                "Largest radius of a ball cutter that reaches every place of the face. A larger "
-                "one leaves material standing in hollows"
+                "Radius of the largest ball cutter that fits everywhere on the face. A larger "
+                "ball leaves material in hollows"
             ),
         ),
-        "sag_range": (
-            "Sag range",
-            "Height of the highest point of the face over the lowest",
-        ),
-        "draft": (
-            "Draft",
-            "Least angle between the face and the axis, along which a mould opens",
-        ),
+        "sag_range": ("Sag range", "Height of the highest point of the face above the lowest"),
+        "draft": ("Draft", "Least angle between the face and the axis, along which a mould opens"),
     }
 )
 """Figures that each freeform face has; the same limits hold for both."""
@@ -204,10 +188,7 @@ _NAME, _FOUND, _SIGN, _LIMIT = range(4)
 
 
 class ManufactureFigures(QWidget):
-    """A table of figures, limits and verdicts.
-
-    A verdict stands below its figure, where it is also seen in a narrow dock.
-    """
+    """A table of figures and limits, with each verdict below its figure."""
 
     def __init__(self, fields: LimitFields) -> None:
         super().__init__()
@@ -243,13 +224,10 @@ class ManufactureFigures(QWidget):
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
         grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
         self.cut = QPushButton(tr("Ball cutter…"))
-        self.cut.setToolTip(
-            tr("Say how the face is cut, see what the cut leaves, and write G-code")
-        )
+        self.cut.setToolTip(tr("Simulate the cut of the face and write G-code"))
         fields.changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:
-        """Show the figures of a lens."""
         self._found, self._unit = found, unit
         for key in ("thinnest", "thickest"):
             self._show_extreme(key, getattr(found, key))
@@ -278,7 +256,6 @@ class ManufactureFigures(QWidget):
         label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
 
     def show_nothing(self) -> None:
-        """Show no lens."""
         self._found = None
         for label in self.found.values():
             label.clear()
@@ -287,7 +264,7 @@ class ManufactureFigures(QWidget):
             self._show_state(key, None)
 
     def say(self, sentence: str) -> None:
-        """What there is to know beside; while there is something, the figures are of before."""
+        """Show a remark, and grey the outdated figures; or remove both."""
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))
         for label in (*self.found.values(), *self.states.values()):
@@ -358,7 +335,7 @@ class ManufactureFigures(QWidget):
             return tr("The face has none.")
         x, y = extreme.place
         bound = self._in_words(key, extreme.bound)
-        return tr("At x = {x}, y = {y}. Nowhere beyond {bound}.").format(
+        return tr("At x = {x}, y = {y}. Proved bound: {bound}.").format(
             x=written(x, self._unit), y=written(y, self._unit), bound=bound
         )
 

@@ -1,9 +1,4 @@
-"""The dock Manufacture: map, figures and limits of the shown lens.
-
-1. Figures and maps are computed only for eyes: never while the pane cannot be seen.
-2. They follow the lens when it rests: not while a run brings frame after frame, and a moment after
-   the last step of whoever turns or drags something.
-"""
+"""The dock Manufacture: computed only while it is visible and the design rests."""
 
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -18,7 +13,7 @@ from ui.panels.editors import Chooser
 from ui.shown.frame import same_light, shows
 from ui.views.image_view import ImageView
 from ui.views.surface_view import FaceChoice
-from ui.widgets.controls import SideBySide
+from ui.widgets.controls import SideBySide, filled
 from ui.widgets.labels import Veil
 from ui.words import later, tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
@@ -29,65 +24,43 @@ from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
     from ui.shown.frame import Frame
     from workbench.files.session import Session
 
+_REST_MS = 250  # longer than between two steps of a hand
+_PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
     (
         "Thickness along z",
         "Angle between the face and a plane across the axis",
-        "One over the radius of concave places; zero elsewhere",
-        "One over the radius of convex places; zero elsewhere",
+        "Largest concave curvature; zero where there is none",
+        "Largest convex curvature; zero where there is none",
     )
 )
 
 
-class FaceContent:
-    """A map of a freeform face, once its lens is looked at."""
+class _DrawnMap(NamedTuple):
+    values: Array
+    artists: tuple[()] = ()
 
-    name = next(iter(MAPS))
-
-    def __init__(self) -> None:
-        self.maps: SurfaceMaps | None = None
-        self.limits = Limits()
-        self._drawn = np.zeros((1, 1))
-
-    def extent(self, session: "Session") -> Extent:
-        """All of the lens."""
-        return Extent.around(session.scene.optic.half_width, session.scene.unit)
-
-    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Draw the map; another lens has another picture."""
-        if self.maps is not None:
-            self._drawn = draw_map(axes, self.name, self.maps, self.limits, session.scene.unit)
-        return ()
-
-    def change(self, frame: "Frame") -> bool:
-        """Nothing changes within a picture."""
+    def update(self, _: Array) -> bool:
         return False
-
-    def values(self, frame: "Frame") -> Array:
-        """Those of the map."""
-        return self._drawn
-
-    def unit(self, session: "Session") -> str:
-        """Unit of the map, as it stands behind a number."""
-        return map_unit(self.name, session.scene.unit).removeprefix("1 ")
 
 
 class FaceMap(ImageView):
-    """One of `MAPS`, to be chosen above it."""
+    """Map of a face, one of `MAPS`."""
 
-    _content: FaceContent
-    _WAITING = later("Computed when no run changes it…")
+    _WAITING = later("Computed when the design rests…")
 
     def __init__(self) -> None:
-        super().__init__(FaceContent())
+        super().__init__()
+        self._name = next(iter(MAPS))
+        self._limits = Limits()
+        self._chosen: SurfaceMaps | None = None
         self._maps: Mapping[str, SurfaceMaps] = {}
         self.faces = FaceChoice()
         self.faces.currentIndexChanged.connect(self._choose)
@@ -96,45 +69,51 @@ class FaceMap(ImageView):
         for name in MAPS:
             self.chooser.addItem(tr(name), name)
         self.chooser.currentIndexChanged.connect(self._turn)
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 4, 6, 0)
-        row.addWidget(self.faces)
-        row.addWidget(self.chooser)
+        row = filled(QHBoxLayout(), self.faces, self.chooser, margins=(6, 4, 6, 0))
         self._box.insertLayout(0, row)
         self._turn(0)
 
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
-        """Show the chosen face of the lens of a frame; maps by the names of faces."""
+        """Show the maps of a frame, by face."""
         self._maps = maps
         self.faces.offer(frame.session.scene.optic)
         self.show_frame(frame)
         self._choose()
 
     def show_limits(self, limits: Limits) -> None:
-        """Hatch what is beyond other limits."""
-        if limits != self._content.limits:
-            self._content.limits = limits
+        if limits != self._limits:
+            self._limits = limits
             self._begin_anew()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no lens."""
-        self._maps, self._content.maps = {}, None
+        self._maps, self._chosen = {}, None
         super().show_nothing(session)
 
     def _choose(self) -> None:
-        self._content.maps = self._maps.get(self.faces.face)
+        self._chosen = self._maps.get(self.faces.face)
         self._begin_anew()
 
     def _turn(self, number: int) -> None:
-        self._content.name = self.chooser.currentData()
+        self._name = self.chooser.currentData()
         self.chooser.setToolTip(
-            f"<p>{tr(_TIPS[number])}{tr('; what is beyond a limit is hatched')}</p>"
+            f"<p>{tr(_TIPS[number])}{tr('; hatched where a limit is exceeded')}</p>"
         )
         self._begin_anew()
 
+    def _new_image(self, axes: "Axes", session: "Session") -> "_DrawnMap":
+        if self._chosen is None:
+            return _DrawnMap(np.zeros((1, 1)))
+        unit = session.scene.unit
+        return _DrawnMap(draw_map(axes, self._name, self._chosen, self._limits, unit))
 
-_REST_MS = 250  # longer than between two steps of a hand
-_PLACES = 193  # of a map along the longer side of the lens
+    def _shown_array(self, frame: "Frame") -> Array:
+        return np.zeros((1, 1))  # the map is drawn at the beginning
+
+    def _extent(self, session: "Session") -> Extent:
+        return Extent.around(session.scene.optic.half_width, session.scene.unit)
+
+    def _unit(self, session: "Session") -> str:
+        return map_unit(self._name, session.scene.unit).removeprefix("1 ")
 
 
 class _Found(NamedTuple):
@@ -144,7 +123,7 @@ class _Found(NamedTuple):
 
 
 class ManufacturePane(SideBySide):
-    """Map, figures and limits of the lens on show."""
+    """Map, figures and limits of the shown lens."""
 
     cut_asked = Signal()
 
@@ -163,15 +142,14 @@ class ManufacturePane(SideBySide):
         self._veil = Veil(self)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
-        self._background = Background("look at the face", self)
+        self._background = Background("analysis of the face", self)
         self._background.done.connect(self._take)
         self._background.failed.connect(
-            lambda _, error: figures.say(sentence_of(error, tr("look at the face")))
+            lambda _, error: figures.say(sentence_of(error, tr("analysis of the face")))
         )
         self._fields.changed.connect(self.map.show_limits)
 
     def show_design(self, session: "Session") -> None:
-        """Take unit and own limits of a design."""
         self._fields.show_scene(session.scene)
         self.map.show_design(session)
         if self._frame is not None and not shows(self._frame, session):  # nobody waits for it
@@ -179,17 +157,14 @@ class ManufacturePane(SideBySide):
             self._background.cancel()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Mark map and figures as those of another design, or no longer."""
         self._of_another = outdated
         self._show_veil()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another lens."""
         self._frame = frame
         self.look()
 
     def show_nothing(self, session: "Session") -> None:
-        """Take note that there is no lens to show."""
         self._frame = self._found = None
         self._rest.stop()
         self.map.show_nothing(session)
@@ -198,12 +173,12 @@ class ManufacturePane(SideBySide):
         self._show_veil()
 
     def allow(self, resting: bool) -> None:
-        """Whether the lens on show stays as it is; while it does not, nothing is computed."""
+        """Compute only while the shown lens is final."""
         self._resting = resting
         self.look()
 
     def look(self) -> None:
-        """Look at the lens in a moment, if that is not done and somebody sees it."""
+        """Compute after a short delay, if needed and visible."""
         self._show_veil()
         if self._frame is None:
             return
@@ -211,19 +186,17 @@ class ManufacturePane(SideBySide):
             self._figures.say("")
             return
         if self._found is not None:
-            self._figures.say(tr("Out of date: of the lens before; computed anew when it rests."))
+            self._figures.say(tr("Outdated; recomputed when the design rests."))
         if self._resting and self.isVisible():
             self._rest.start()
         else:
             self._rest.stop()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Compute what came while hidden."""
         super().showEvent(event)
         self.look()
 
     def close_thread(self) -> None:
-        """Wait for what is under way; nothing is computed any more. Safe to call twice."""
         self._frame = None
         self._rest.stop()
         self._background.close()

@@ -23,7 +23,7 @@ _DECENTRE, _SCALE = 0.005, 0.1
 
 
 class ToleranceForm(QWidget):
-    """What is asked for; a field that is refused says why."""
+    """Tolerances, number of lenses and seed, with refusals beside the fields."""
 
     toggled = Signal()
     save_asked = Signal()
@@ -56,21 +56,18 @@ class ToleranceForm(QWidget):
 
     @property
     def within(self) -> Tolerances:
-        """How far lenses may be off."""
         return self._possible(self._data)
 
     @property
     def lenses(self) -> int:
-        """How many."""
         return int(self._data["lenses"])
 
     @property
     def seed(self) -> int:
-        """Of which kind."""
         return int(self._data["seed"])
 
     def show_scene(self, scene: Scene) -> None:
-        """Take the unit of a design, and for another size of lens lengths that suit it."""
+        """Use the unit of a design, and default lengths for another lens size."""
         before, self._scene = self._scene, scene
         width = 2 * max(scene.optic.half_width)
         if before is not None and before.unit != scene.unit:
@@ -94,7 +91,7 @@ class ToleranceForm(QWidget):
         self._show()
 
     def accepted(self) -> bool:
-        """Whether all that is typed is possible; what is not, says so."""
+        """Whether all entries are possible; refused ones show why."""
         for row in self._rows:
             row.commit()
         self.obstacle = ""
@@ -204,7 +201,10 @@ def _make_rows() -> tuple[NumberRow, ...]:
             for name, about in ABOUT.items()
         ),
         NumberRow(
-            "lenses", tr("Lenses"), tr("How many are traced; more make the tail surer"), whole=True
+            "lenses",
+            tr("Lenses"),
+            tr("Number of traced lenses; more lenses give better percentiles"),
+            whole=True,
         ),
         NumberRow("seed", tr("Seed"), tr("The same seed gives the same lenses"), whole=True),
     )

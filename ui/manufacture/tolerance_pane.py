@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Sample:
-    """Lenses that are off, as far as they are traced."""
+    """Perturbed lenses that are traced so far."""
 
     frame: "Frame"
     within: "Tolerances"
@@ -44,11 +44,10 @@ class Sample:
 
     @property
     def shown(self) -> bool:
-        """Whether there is anything to tell of."""
         return bool(self.others)
 
     def add(self, each: "Perturbed") -> None:
-        """Take another lens; the first is the one that is not off."""
+        """Add a lens; the first is the nominal one."""
         if self.nominal is None:
             self.nominal = each
         else:
@@ -56,7 +55,7 @@ class Sample:
 
 
 def trace_sample(sample: Sample, rays: int, task: Task) -> None:
-    """Trace lenses, each with so many rays at least; meant for a thread. Reports each of them."""
+    """Trace perturbed lenses in a thread, and report each."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.tolerances import perturbed
 
@@ -70,11 +69,11 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
 
 
 class SpreadView(PlotView):
-    """The distribution of the error over the lenses of a sample, while they come in."""
+    """The distribution of the error over the traced lenses."""
 
     _HAS_BAR = False
     _WAITING = later(
-        "How does the image change when lenses are a little off? Start traces some of them."
+        "Start traces randomly perturbed lenses and shows the distribution of the error."
     )
 
     def __init__(self) -> None:
@@ -82,14 +81,13 @@ class SpreadView(PlotView):
         self._sample: Sample | None = None
 
     def show_sample(self, sample: Sample) -> None:
-        """Show the lenses of a sample that are traced."""
         if sample.shown:
             self._sample = sample
             self.show_frame(sample.frame)
             self._begin_anew()
 
     def data(self) -> list[Column]:
-        """How far each lens is off, and what comes of it."""
+        """Perturbation and figures of each lens."""
         if self._sample is None:
             return []
         scene = self._sample.frame.session.scene
@@ -109,7 +107,7 @@ class SpreadView(PlotView):
         return columns
 
     def figures(self) -> dict[str, Any] | None:
-        """The distribution and each lens, as the command line tells them."""
+        """The distribution and each lens, as the command line writes them."""
         sample = self._sample
         if sample is None or sample.nominal is None:
             return {}  # there is nothing to save yet
@@ -131,14 +129,11 @@ class SpreadView(PlotView):
 
 
 _RAYS = 1_000_000  # for each lens, as on the command line
-_NOTHING_OFF = later("Nothing is off: give a tilt, a decentre or another tolerance.")
+_NOTHING_OFF = later("All tolerances are zero. Enter a tilt, a decentre or another tolerance.")
 
 
 class TolerancePane(SideBySide):
-    """Fields, the distribution, and its figures.
-
-    What was found is that of the lens that was asked about; once another one is shown, it says so.
-    """
+    """Fields, distribution and figures; it marks results of another lens as outdated."""
 
     save_asked = Signal()
     failed = Signal(str)
@@ -154,7 +149,7 @@ class TolerancePane(SideBySide):
         self._sample: Sample | None = None
         self._resting = True
         self._of_another = False  # whether the frame is of another design
-        self._background = Background("sample of tolerances", self)
+        self._background = Background("tolerance analysis", self)
         self._background.progressed.connect(self._take)
         self._background.done.connect(self._follow)
         self._background.failed.connect(self._give_up)
@@ -163,7 +158,6 @@ class TolerancePane(SideBySide):
         self._offer()
 
     def show_design(self, session: "Session") -> None:
-        """Take the unit of a design."""
         self.form.show_scene(session.scene)
         self.plot.show_design(session)
         if self._frame is not None and not shows(self._frame, session):
@@ -171,27 +165,24 @@ class TolerancePane(SideBySide):
             self._offer()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Mark the distribution as that of another design, or no longer."""
         self._of_another = outdated
         self._offer()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of the lens that is shown."""
         self._frame = frame
         self._offer()
 
     def show_nothing(self, session: "Session") -> None:
-        """Take note that there is no lens to show."""
         self._frame = None
         self._offer()
 
     def allow(self, resting: bool) -> None:
-        """Whether the lens on show stays as it is; only then it is perturbed."""
+        """Trace only while the shown lens is final."""
         self._resting = resting
         self._offer()
 
     def toggle(self) -> None:
-        """Perturb the lens on show; while that is under way, make do with what there is."""
+        """Start the analysis, or stop it."""
         if self._background.busy:
             self._background.stop()
             self._offer()
@@ -209,7 +200,6 @@ class TolerancePane(SideBySide):
             self._offer()
 
     def close_thread(self) -> None:
-        """Leave the sample and wait for its thread; safe to call twice."""
         self._background.close()
 
     def _take(self, sample: Sample, each: "Perturbed") -> None:
@@ -223,16 +213,16 @@ class TolerancePane(SideBySide):
     def _give_up(self, sample: Sample, error: Exception) -> None:
         self._sample = None
         self._offer()
-        self.failed.emit(sentence_of(error, tr("sample of tolerances")))
+        self.failed.emit(sentence_of(error, tr("tolerance analysis")))
 
     def _offer(self) -> None:
         busy, sample = self._background.busy, self._sample
         begin = self.form.begin
         begin.setText(tr("Cancel") if busy else tr("Start"))
         begin.setToolTip(
-            tr("Trace no more; those that are traced count")
+            tr("Stop; the traced lenses are kept")
             if busy
-            else tr("Perturb what is on show at random, and trace each with fresh rays")
+            else tr("Perturb the lens at random and trace each sample independently")
         )
         possible = self._resting and self._frame is not None and not self._of_another
         self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
@@ -261,7 +251,7 @@ class TolerancePane(SideBySide):
             worst=100 * spread.worst,
         )
         if self._is_past(sample):
-            return f"{text}. {tr('Out of date: the lens has changed since.')}"
+            return f"{text}. {tr('Outdated: the lens has changed.')}"
         return text
 
     def _is_past(self, sample: Sample) -> bool:

@@ -1,4 +1,4 @@
-"""What a person types into or chooses from, and what is said beside it."""
+"""Editors of forms, and the labels for refusals."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
@@ -10,7 +10,7 @@ from workbench.scene import Measure
 
 
 class TextEditor(QLineEdit):
-    """One value as text; committed by Enter or by leaving it, taken back by Escape."""
+    """One value as text; committed by Enter or by losing the focus, reverted by Escape."""
 
     committed = Signal(str)
     reverted = Signal()
@@ -24,7 +24,7 @@ class TextEditor(QLineEdit):
         self.editingFinished.connect(self.commit)
 
     def show_value(self, text: str) -> None:
-        """Show what the scene holds; typing before that cannot be undone here any more."""
+        """Show the value of the scene; earlier typing can no longer be undone here."""
         self._settled = text
         cursor = self.cursorPosition() if self.hasFocus() else 0
         self.setText(text)
@@ -32,17 +32,16 @@ class TextEditor(QLineEdit):
 
     @property
     def unentered(self) -> bool:
-        """Whether there is text that was typed since the last was entered or shown."""
+        """Whether there is typed text that is not entered."""
         return self.text() != self._settled
 
     def commit(self) -> None:
-        """Emit the text if it is new since it was last emitted or shown."""
         if self.unentered:
             self._settled = self.text()
             self.committed.emit(self._settled)
 
     def event(self, event: QEvent) -> bool:
-        """Leave undo to the window where all text is entered: it takes back what was refused."""
+        """Leave undo to the window where all text is entered."""
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
@@ -56,7 +55,6 @@ class TextEditor(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape takes the typed text back, and so does undo once the text is entered."""
         if event.key() == Qt.Key.Key_Escape or self._undoes_entry(event):
             self.reverted.emit()
         else:
@@ -76,7 +74,6 @@ class NumberEditor(TextEditor):
         self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
     def typed(self, text: str) -> Typed:
-        """What such a text is typed for."""
         return Typed(text, self._measure, self._whole)
 
 
@@ -91,7 +88,6 @@ class Chooser(QComboBox):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Scroll the form instead."""
         event.ignore()
 
 
@@ -103,12 +99,10 @@ class Wrapped(WrappedLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the height that fits the width."""
         super().resizeEvent(event)
         self._insist()
 
     def say(self, text: str) -> None:
-        """Show a text."""
         self.setText(text)
         self._insist()
 
@@ -117,7 +111,7 @@ class Wrapped(WrappedLabel):
 
 
 class Refusal(Wrapped):
-    """Why something is not possible; hidden where everything is."""
+    """Reason of a refusal; hidden if empty."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -125,6 +119,5 @@ class Refusal(Wrapped):
         self.hide()
 
     def say(self, text: str) -> None:
-        """Show a reason; nothing is shown for an empty one."""
         super().say(text)
         self.setVisible(bool(text))

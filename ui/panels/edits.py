@@ -3,30 +3,28 @@
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from workbench.errors import Refused
 from workbench.quantity import read_number
 from workbench.said import Said
 from workbench.scene import Measure, Part, Scene, Unit
+from workbench.scene.paths import value_at
 from workbench.units import sized
 
-_STEP = re.compile(r"[^.\[\]]+")
 _INDEX = re.compile(r"\[\d+\]$")
 _NONE = Measure()
 
 
 @dataclass(frozen=True)
 class Typed:
-    """What was typed for a number, which the unit of the scene gives its meaning."""
+    """Typed text of a number, read in the unit of the scene."""
 
     text: str
     measure: Measure = _NONE
     whole: bool = False
 
     def number(self, unit: str) -> float | int:
-        """The number, in a scene with a unit."""
         found = read_number(self.text, self.measure.sign_in(unit))
         try:
             return int(found) if self.whole and found.denominator == 1 else float(found)
@@ -36,7 +34,7 @@ class Typed:
 
 @dataclass(frozen=True)
 class Edit:
-    """What a field asks for; the scene decides whether it is possible."""
+    """Requested changes of a scene, which may be refused."""
 
     path: str
     text: str
@@ -50,14 +48,11 @@ class Edit:
 
     @property
     def field(self) -> str:
-        """Path of the field, whichever of its numbers was touched."""
+        """Path of the field, without the index of a number."""
         return _INDEX.sub("", self.path)
 
     def step(self, before: Scene, after: Scene) -> str:
-        """What the undo menu calls it, which has led from one scene to another.
-
-        With both values where these are numbers: "receiver half width 1 → 50 mm".
-        """
+        """Return the text of the undo step, with old and new numbers: half width 1 → 50 mm."""
         old, new = (_numbers(value_at(scene, self.field)) for scene in (before, after))
         if old == new or not (old and new):
             return self.text
@@ -85,11 +80,9 @@ class Waiting:
 
 
 def try_with_waiting(
-    edit: Edit,
-    pending: dict[str, Waiting],
-    attempt: Callable[[list[Edit]], Refused | None],
+    edit: Edit, pending: dict[str, Waiting], attempt: Callable[[list[Edit]], Refused | None]
 ) -> Refused | None:
-    """Try an edit together with those that were refused, which may be possible now; else alone."""
+    """Try an edit together with refused ones, which may be possible now; or else alone."""
     pending.pop(edit.path, None)
     waiting = [waiter.edit for waiter in pending.values()]
     refused = attempt([*waiting, edit])
@@ -99,35 +92,16 @@ def try_with_waiting(
     return attempt([edit]) if waiting else refused
 
 
-def value_at(scene: Any, path: str) -> Any:
-    """Value at a path of a scene, or of plain data; None where there is no such field."""
-    value = scene
-    for step in _steps(path):
-        if isinstance(value, Part):
-            value = vars(value).get(step)  # its fields, and nothing else
-        elif isinstance(value, dict):
-            value = value.get(step)
-        elif isinstance(value, list | tuple) and int(step) < len(value):
-            value = value[int(step)]
-        else:
-            return None
-    return value
-
-
-def holder_of(scene: Any, path: str) -> tuple[Any, int | str]:
-    """What holds the value at a path, and the value's index or name there."""
-    *_, last = _steps(path)
-    holder = value_at(scene, path[: path.rindex(last)])
+def holder_of(whole: Any, path: str) -> tuple[Any, int | str]:
+    """Return what holds the value at a path, and the value's index or name there."""
+    separator, inner = ("[", path[:-1]) if path.endswith("]") else (".", path)
+    head, _, last = inner.rpartition(separator)
+    holder = value_at(whole, head) if head else whole
     return holder, int(last) if isinstance(holder, list | tuple) else last
 
 
-@cache
-def _steps(path: str) -> tuple[str, ...]:
-    return tuple(_STEP.findall(path))
-
-
 def has_place(scene: Scene, edit: Edit) -> bool:
-    """Whether a scene has what the edit would change a part of."""
+    """Whether the scene has the fields of an edit."""
     for path in edit.changes:
         holder, last = holder_of(scene, path)
         if not (last < len(holder) if isinstance(last, int) else isinstance(holder, Part)):
@@ -136,7 +110,7 @@ def has_place(scene: Scene, edit: Edit) -> bool:
 
 
 def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
-    """The scene after some edits, which is written out and validated once for all of them."""
+    """Return the scene after some edits, validated once."""
     data: dict[str, Any] = {}  # once there is a change
     for edit in edits:
         if edit.unit is not None:
@@ -157,7 +131,7 @@ def put(edit: Edit, data: dict[str, Any]) -> None:
     for path, value in edit.changes.items():
         holder, last = holder_of(data, path)
         if not isinstance(holder, list | dict):  # another edit has taken it away
-            raise Refused(path, Said("this task has no such field any more"))
+            raise Refused(path, Said("the task no longer has this field"))
         found = _read(value, path, data["unit"])
         holder[last] = found  # type: ignore[index]  # a list has an index here
 

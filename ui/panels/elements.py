@@ -5,11 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.lists import ListedPanel, PartListRow, another_name
 from ui.panels.rows import Rows, value_row
-from ui.words import begun, inside, tr
+from ui.words import capitalised, in_sentence, tr
 from workbench.design.limits import bounded
 from workbench.files.session import Session
 from workbench.geometry.surface import ControlNet
@@ -28,6 +27,7 @@ from workbench.scene import (
     Scene,
 )
 from workbench.scene.kinds import title_of
+from workbench.scene.paths import value_at
 
 _KINDS: tuple[type[AnyElement], ...] = (Lens, Mirror, Diffuser)
 _MATERIAL = "PMMA"
@@ -39,7 +39,7 @@ _GAP = 0.1  # half widths between a new element and the one before
 
 
 class ElementListRow(PartListRow[AnyElement]):
-    """The elements one below the other, and what can be done with them."""
+    """List of the elements."""
 
     def __init__(self, label: str, tip: str) -> None:
         super().__init__(
@@ -52,17 +52,16 @@ class ElementListRow(PartListRow[AnyElement]):
                 tr("Add a plano-convex lens of fixed shape behind the last element"),
                 tr("Add a plane mirror behind the last element"),
                 tr("Add a diffuser behind the last element"),
-                tr("Add a copy of the chosen element behind the last element"),
-                tr("Remove the chosen element"),
-                tr("Exchange the chosen element with the one before it, along z too"),
-                tr("Exchange the chosen element with the one behind it, along z too"),
+                tr("Add a copy of the selected element behind the last element"),
+                tr("Remove the selected element"),
+                tr("Swap the selected element with the previous one, positions included"),
+                tr("Swap the selected element with the next one, positions included"),
             ),
             (tr("Add lens"), tr("Add mirror"), tr("Add diffuser")),
         )
         self._scene: Scene | None = None
 
     def show_elements(self, scene: Scene) -> None:
-        """Show the elements of a scene."""
         self._scene = scene
         self.show_parts(scene.elements, "")
 
@@ -97,7 +96,7 @@ class ElementListRow(PartListRow[AnyElement]):
 
     def _summary(self, part: AnyElement) -> str:
         assert self._scene is not None  # shown before anything can be clicked
-        kind = inside(tr(title_of(type(part))))
+        kind = in_sentence(tr(title_of(type(part))))
         words = [kind if part.name == part.kind else f"{part.name}: {kind}"]
         if part.designed:
             words.append(tr("designed"))
@@ -160,15 +159,12 @@ class ElementsPanel(ListedPanel):
         super().__init__(tr(field.title), self._list)
 
     def show_list(self, session: Session) -> None:
-        """List the elements of the scene."""
         self._list.show_elements(session.scene)
 
     def name_of(self, number: int) -> str:
-        """Its own name."""
-        return begun(self.session.scene.elements[number].name)
+        return capitalised(self.session.scene.elements[number].name)
 
     def rows_of(self, number: int) -> list[Row]:
-        """Kind and settings of an element."""
         kinds = self._field.mark(Kinds)
         assert kinds is not None  # they are of several kinds
         rows = _ElementRows(self, number)
@@ -189,7 +185,6 @@ class _ElementRows(Rows):
     def fields_of(
         self, kinds: Sequence[type[Part]]
     ) -> list[tuple[FieldDescription, list[type[Part]]]]:
-        """Show faces below all else."""
         return sorted(super().fields_of(kinds), key=lambda own: own[0].name in _FACES)
 
     @property
@@ -234,8 +229,8 @@ class _ElementRows(Rows):
             path,
             tr("From the base"),
             tr(
-                "How far a control point may move from the base, down and up. A wider "
-                "range bends light further."
+                "Bounds of the control heights relative to the base, down and up. Wider bounds "
+                "allow larger deflection."
             ),
             field.measure,
             field.between,

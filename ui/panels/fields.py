@@ -1,7 +1,7 @@
-"""Rows of a form: editors for one thing in the scene, its unit, and why an edit was refused.
+"""Rows of a form: editors of one field, its unit, and the reason of a refusal.
 
-A row shows what the scene holds and tells of what a person asks for; it never judges. Text that
-was refused stays as typed until it is corrected, or taken back with Escape.
+A row shows the scene and emits edits; it does not validate. Refused text stays until it is
+corrected, or reverted with Escape.
 """
 
 from collections.abc import Callable, Sequence, Set
@@ -11,11 +11,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
-from ui.panels.edits import Edit, Typed, holder_of, value_at
+from ui.panels.edits import Edit, Typed, holder_of
 from ui.widgets import theme
-from ui.words import inside, tr
+from ui.widgets.controls import filled
+from ui.words import in_sentence, tr
 from workbench.scene import AutoNet, Element, Measure, Part
 from workbench.scene.auto_net import AUTO
+from workbench.scene.paths import value_at
 
 Changes = dict[str, object]
 Condition = Callable[[Any], bool]
@@ -24,18 +26,12 @@ _INDENT = 10  # logical pixels
 
 
 class Row(QWidget):
-    """Editors side by side, their unit behind them and a refusal below."""
+    """Editors side by side, with their unit and a refusal below."""
 
     edited = Signal(object)
     reverted = Signal(object)
 
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        measure: Measure = _NONE,
-    ) -> None:
+    def __init__(self, path: str, label: str, tip: str, measure: Measure = _NONE) -> None:
         super().__init__()
         self.path, self.measure, self.between = path, measure, ""
         self.label = QLabel(label)
@@ -47,15 +43,11 @@ class Row(QWidget):
         self._refusal = Refusal()
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(self._editors)
-        column.addWidget(self._refusal)
+        filled(QVBoxLayout(self), self._editors, self._refusal, margins=0, spacing=2)
         self.explain(tip)
 
     def explain(self, tip: str) -> None:
-        """Say what the value is."""
+        """Set the tool tip."""
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
@@ -64,20 +56,19 @@ class Row(QWidget):
         self.label.setIndent(self.label.indent() + _INDENT if self.label.indent() > 0 else _INDENT)
 
     def leave_undo(self) -> None:
-        """Leave undo of entered text to the window: this is a row of the design."""
+        """Leave undo of entered text to the window."""
         for editor in self.findChildren(TextEditor):
             editor.of_design = True
 
     def only_if(self, condition: Condition) -> None:
-        """Have the row only with scenes of which this holds."""
+        """Show the row only for scenes that meet a condition."""
         self._conditions.append(condition)
 
     def present(self, scene: Any) -> bool:
-        """Whether a scene has this field."""
         return self._is_there(scene) and all(condition(scene) for condition in self._conditions)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show what a scene, or plain data, holds, except where a refused edit still stands."""
+        """Show the values of a scene or of plain data, except refused edits."""
         part, name = holder_of(scene, self.path)
         if isinstance(part, Element):
             part = part.lit(scene.source.wavelength)
@@ -87,17 +78,15 @@ class Row(QWidget):
         self._unit.setVisible(bool(self._unit.text()))
 
     def commit(self) -> None:
-        """Tell of text that is typed but not yet entered."""
         for editor in self.findChildren(TextEditor):
             editor.commit()
 
     @property
     def unentered(self) -> bool:
-        """Whether text is typed but not yet entered."""
         return any(editor.unentered for editor in self.findChildren(TextEditor))
 
     def forget(self) -> None:
-        """Drop what is typed: a scene without this field is shown."""
+        """Drop typed text: the scene has no such field."""
         for editor in self.findChildren(TextEditor):
             editor.show_value("")
 
@@ -114,7 +103,6 @@ class Row(QWidget):
 
     @property
     def refusal(self) -> str:
-        """The text shown below the editors."""
         return self._refusal.text()
 
     def _is_there(self, scene: Any) -> bool:
@@ -128,8 +116,8 @@ class Row(QWidget):
             self.setFocusProxy(widget)
             self.label.setBuddy(widget)
 
-    def _tell(self, path: str, changes: Changes) -> None:
-        name = inside(self.name)
+    def _emit_edit(self, path: str, changes: Changes) -> None:
+        name = in_sentence(self.name)
         text = tr("change of {name}").format(name=name)
         self.edited.emit(
             Edit(path, text, changes, measure=self.measure, between=self.between, name=name)
@@ -137,7 +125,7 @@ class Row(QWidget):
 
 
 class NumberRow(Row):
-    """One number, or some with a word between them."""
+    """One or several numbers."""
 
     def __init__(
         self,
@@ -174,11 +162,11 @@ class NumberRow(Row):
                 editor.show_value(format(value_at(scene, path), ".12g"))
 
     def _commit(self, path: str, text: str) -> None:
-        self._tell(path, {path: self.editors[path].typed(text)})
+        self._emit_edit(path, {path: self.editors[path].typed(text)})
 
 
 class TextRow(Row):
-    """One line of text, which a button behind it may help to find."""
+    """One line of text, with an optional button to choose it."""
 
     asked = Signal()
 
@@ -202,23 +190,23 @@ class TextRow(Row):
             button.setAccessibleName(button_tip)
             button.clicked.connect(self.asked)
             self._add(button, 0)
-        self.editor.committed.connect(lambda text: self._tell(path, {path: self.value_of(text)}))
+        self.editor.committed.connect(
+            lambda text: self._emit_edit(path, {path: self.value_of(text)})
+        )
         self.editor.reverted.connect(lambda: self.reverted.emit(path))
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's text, its end first, which in a path says most."""
+        """Show the end of the text, the file name of a path."""
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.editor.show_value(self.text_of(value_at(scene, self.path)))
             self.editor.end(False)
 
     def text_of(self, value: Any) -> str:
-        """What a person reads for the scene's value."""
         text: str = value or ""
         return text
 
     def value_of(self, text: str) -> object:
-        """The scene's value for what a person has typed."""
         return None if self._optional and not text.strip() else text
 
     def _is_there(self, scene: Any) -> bool:
@@ -228,14 +216,13 @@ class TextRow(Row):
 
 
 class NumbersRow(TextRow):
-    """Any number of numbers as one line, with a semicolon between them."""
+    """Numbers in one line, separated by semicolons."""
 
     def text_of(self, value: Any) -> str:
         """The numbers, short but exact."""
         return "; ".join(format(number, ".12g") for number in value)
 
     def value_of(self, text: str) -> object:
-        """What was typed for each of the numbers."""
         return [Typed(each, self.measure) for each in text.split(";") if text.strip()]
 
 
@@ -263,7 +250,7 @@ class PairsRow(TextRow):
 
 
 class ChoiceRow(Row):
-    """One of a few, entered at once."""
+    """A choice, committed at once."""
 
     def __init__(
         self,
@@ -286,7 +273,6 @@ class ChoiceRow(Row):
         self.chooser.activated.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's choice."""
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.chooser.setCurrentIndex(self.chooser.findData(self._read(scene)))
@@ -301,30 +287,26 @@ class ChoiceRow(Row):
         if changes is None:
             self.reverted.emit(self.path)
         else:
-            self._tell(self.path, changes)
+            self._emit_edit(self.path, changes)
 
 
 class CheckRow(Row):
-    """Yes or no."""
+    """A check box."""
 
     def __init__(self, path: str, label: str, tip: str) -> None:
         super().__init__(path, label, tip)
         self.box = QCheckBox()
         self._add(self.box)
-        self.box.clicked.connect(lambda checked: self._tell(path, {path: checked}))
+        self.box.clicked.connect(lambda checked: self._emit_edit(path, {path: checked}))
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's answer."""
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.box.setChecked(value_at(scene, self.path))
 
 
 class AutoRow(NumberRow):
-    """Numbers, or a tick that leaves them to the program.
-
-    A number that is typed takes the tick away, and no number brings it back.
-    """
+    """Numbers, or a tick for automatic; typing clears the tick, an empty field sets it."""
 
     def __init__(
         self,
@@ -346,7 +328,6 @@ class AutoRow(NumberRow):
         self.box.clicked.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's numbers, or what the program has chosen."""
         Row.show_scene(self, scene, pending)
         self._unit.hide()  # what was chosen stands in the fields
         value = value_at(scene, self.path)
@@ -362,17 +343,19 @@ class AutoRow(NumberRow):
                 editor.show_value("" if auto else str(number))
 
     def _choose(self, auto: bool) -> None:
-        self._tell(self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]})
+        self._emit_edit(
+            self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]}
+        )
 
     def _commit(self, path: str, text: str) -> None:
         texts = [editor.text().strip() for editor in self.editors.values()]
         if not text.strip():
-            self._tell(self.path, {self.path: AUTO})
+            self._emit_edit(self.path, {self.path: AUTO})
         elif all(texts) and not self._auto:
-            self._tell(path, {path: self.editors[path].typed(text)})
+            self._emit_edit(path, {path: self.editors[path].typed(text)})
         else:  # a number alone counts for both
             values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._tell(self.path, {self.path: values})
+            self._emit_edit(self.path, {self.path: values})
 
 
 class OptionalRow(NumberRow):
@@ -393,7 +376,7 @@ class OptionalRow(NumberRow):
         self._stand_in = stand_in
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's numbers, or none, before what stands in for them."""
+        """Show the numbers, or the fallback as a placeholder."""
         Row.show_scene(self, scene, pending)
         stand_ins = self._stand_in(scene)
         for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
@@ -408,10 +391,10 @@ class OptionalRow(NumberRow):
 
     def _commit(self, path: str, text: str) -> None:
         if not text.strip():
-            self._tell(path, {self.path: None})
+            self._emit_edit(path, {self.path: None})
         elif path == self.path:
-            self._tell(path, {path: self.editors[path].typed(text)})
+            self._emit_edit(path, {path: self.editors[path].typed(text)})
         else:  # a number alone counts for both
             texts = [editor.text().strip() or text for editor in self.editors.values()]
             values = [e.typed(t) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._tell(path, {self.path: values})
+            self._emit_edit(path, {self.path: values})

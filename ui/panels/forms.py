@@ -16,6 +16,7 @@ from ui.panels.panel import Panel, PartPanel
 from ui.panels.regions import RegionsPanel
 from ui.panels.run import RunPanel, StagesPanel
 from ui.panels.scene import ScenePanel, SourcePanel
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, tr
 from workbench.errors import Refused
@@ -26,7 +27,7 @@ _MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
 
 
 class Forms(QScrollArea):
-    """The panels below each other."""
+    """All panels, below each other."""
 
     message = Signal(str)
     file_refused = Signal(str)
@@ -99,16 +100,13 @@ class Forms(QScrollArea):
         for panel in self.panels:
             panel.align(max(labels))
         self._content = QWidget()
-        outer = QVBoxLayout(self._content)
-        outer.setContentsMargins(0, 0, 0, 0)
-        outer.addWidget(self._hint)
-        outer.addWidget(page)
+        filled(QVBoxLayout(self._content), self._hint, page, margins=0)
         self.setWidget(self._content)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Be as wide as the rows, known once fonts and style are; scroll on a small screen."""
+        """Set the minimum width to that of the rows, limited by the screen."""
         super().showEvent(event)
         rows = self._content.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(
@@ -117,12 +115,11 @@ class Forms(QScrollArea):
 
     @property
     def refused(self) -> bool:
-        """Whether an edit waits to be corrected."""
         return bool(self._pending)
 
     @property
     def refused_entry(self) -> str:
-        """What the undo menu calls the latest entry that was refused; empty where none was."""
+        """Undo text of the latest refused entry, if any."""
         if not self._pending:
             return ""
         waiting = list(self._pending.values())[-1]
@@ -130,7 +127,6 @@ class Forms(QScrollArea):
 
     @property
     def postponed_edits(self) -> int:
-        """How many edits wait for the end of the run."""
         return len(self._later)
 
     @property
@@ -139,15 +135,11 @@ class Forms(QScrollArea):
         return self._refusals
 
     def commit(self) -> None:
-        """Enter what is typed and not yet entered."""
         for row in self._rows():
             row.commit()
 
     def take_back(self) -> bool:
-        """Take back the last text or choice that is not part of the design; whether there was one.
-
-        Text that is not entered yet comes first, then the latest entry that was refused.
-        """
+        """Revert text that is not entered, or else the latest refused entry; whether any."""
         row = next((row for row in self._rows() if row.unentered), None)
         paths = [p for p in self._pending if row.concerns(p)] if row else list(self._pending)[-1:]
         if row is None and not paths:
@@ -161,24 +153,22 @@ class Forms(QScrollArea):
         return True
 
     def take_all_back(self) -> bool:
-        """Take back all that is typed or chosen and not part of the design; whether any was."""
+        """Revert all typed or refused entries; whether there were any."""
         any_back = False
         while self.take_back():
             any_back = True
         return any_back
 
     def choose_image(self, path: Path) -> None:
-        """Make an image file the target."""
         self._chooser.choose_image(path)
         self.ensureWidgetVisible(self._chooser)
 
     def choose_light(self, path: Path) -> None:
-        """Take the light of a file."""
         self._source.choose_file(path)
         self.ensureWidgetVisible(self._source)
 
     def switch_entrance(self) -> None:
-        """Give the lens a freeform entrance face, or a flat one again."""
+        """Make the entrance face freeform, or flat again."""
         scene = self._session.scene
         two_faces = scene.optic.entrance.shape == "bspline"
         shape = "plane" if two_faces else "bspline"
@@ -188,20 +178,20 @@ class Forms(QScrollArea):
         self.edit(Edit(f"{path}.shape", text, changes, alone=True))
 
     def take_aspect(self) -> None:
-        """Give the receiver, and its pixels, the aspect of the target's picture."""
+        """Set receiver and pixels to the aspect of the target's picture."""
         from workbench.targets import picture_aspect  # late: takes long to import
 
         session = self._session
         scene = session.scene
         receiver, target = scene.receiver, scene.target
         if not isinstance(target, ImageTarget):
-            self.file_refused.emit(tr("The target is no picture: only a picture has an aspect."))
+            self.file_refused.emit(tr("The target is not a picture and has no aspect."))
             return
         try:
             aspect = picture_aspect(target, session.picture)
         except Refused as refused:
             self.file_refused.emit(
-                tr("The picture has no aspect: {refused}").format(refused=error_text(refused))
+                tr("The picture cannot be read: {refused}").format(refused=error_text(refused))
             )
             return
         (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
@@ -210,7 +200,7 @@ class Forms(QScrollArea):
             f"{path}.{receiver.extent}": [half, half / aspect],
             f"{path}.pixels": [pixels, max(round(pixels / aspect), 1)],
         }
-        text = tr("{receiver} of the picture's aspect", receiver=receiver.called)
+        text = tr("aspect of the picture for the {receiver}", receiver=receiver.called)
         self.edit(Edit(f"{path}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
@@ -219,7 +209,7 @@ class Forms(QScrollArea):
         self._chooser = self._target
 
     def set_running(self, running: bool, paused: bool = False) -> None:
-        """Whether a run goes on, whose end edits wait for."""
+        """Postpone edits while a run is active."""
         self._running = running
         self._run_hint = (
             tr("The design is paused. Changes wait until it ends.")
@@ -229,14 +219,13 @@ class Forms(QScrollArea):
         self._show_hint()
 
     def make_postponed_edits(self) -> None:
-        """Make the edits that have waited for the end of a run, each as a step of its own."""
+        """Apply the postponed edits, each as its own step."""
         edits = self._later
         self.drop_postponed_edits()
         for edit in edits:
             self.edit(edit)
 
     def drop_postponed_edits(self) -> None:
-        """Give up the edits that wait for the end of a run."""
         self._later, self._next = [], None
         self._show()
 
@@ -277,13 +266,13 @@ class Forms(QScrollArea):
 
     def _read_image_again(self) -> None:
         if self._running:
-            self.file_refused.emit(tr("Stop the run first; then read the image again."))
+            self.file_refused.emit(tr("Stop the run first, then reload the image."))
             return
         try:
             self._document.read_image_again()
         except Refused as refused:
             path = f"{self._target.path}.image"
-            self._pending[path] = Waiting(Edit(path, tr("new reading of the image"), {}), refused)
+            self._pending[path] = Waiting(Edit(path, tr("reload of the image"), {}), refused)
             self.message.emit(tr("Refused: {refused}").format(refused=error_text(refused)))
             self._show()
 
@@ -299,19 +288,15 @@ class Forms(QScrollArea):
 
     @property
     def postponed_text(self) -> str:
-        """Which edits wait for the end of the run."""
         texts = dict.fromkeys(edit.text for edit in self._later)
-        return tr("Waits for the end of the run: {edits}.").format(edits=", ".join(texts))
+        return tr("Waiting for the end of the run: {edits}.").format(edits=", ".join(texts))
 
     def _revert(self, path: str) -> None:
         self._pending.pop(path, None)
         self._show()
 
     def _show_change(self) -> None:
-        """Another session came from elsewhere (undo, a file): what waits is not for this one.
-
-        The end of a run brings a lens for the same scene.
-        """
+        """Show a session from elsewhere (undo, a file), for which no refused edit waits."""
         if not self._editing:
             if self._document.session.scene != self._shown:
                 self._pending.clear()
@@ -363,5 +348,5 @@ class Forms(QScrollArea):
 
 
 def _row_of(path: str, rows: list[Row]) -> Row | None:
-    """The row of a path; of two, the one that comes after its choice and has the value."""
+    """Return the last row of a path, which holds the value."""
     return next((row for row in reversed(rows) if row.concerns(path)), None)

@@ -14,18 +14,18 @@ from ui.panels.fields import Row, TextRow
 from ui.panels.lists import ListedPanel, PartListRow
 from ui.panels.panel import PartPanel
 from ui.panels.rows import KindRow, Make, Rows
-from ui.words import inside, tr
+from ui.words import in_sentence, tr
 from workbench.arrays import Array
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Finish, Image, Scene, Screen
+from workbench.scene import FieldDescription, Finish, Image, Scene
 from workbench.scene.kinds import title_of
 from workbench.scene.viewing import as_viewed
 from workbench.targets.colour import SRGB
 
 _ENDINGS = (
-    "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp "
-    "*.pgm *.ppm *.jp2 *.tga *.exr *.hdr *.npy"
+    "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp *.pgm "
+    "*.ppm *.jp2 *.tga *.exr *.hdr *.npy"
 )
 _OF_LIGHT = ".npy", ".exr", ".hdr"  # whose numbers are light itself
 
@@ -33,7 +33,7 @@ _HEIGHT = 110  # logical pixels of a thumbnail
 
 
 def image_files() -> str:
-    """Names of files of images, as dialogs take them."""
+    """File filter of images."""
     return tr("Images ({endings});;All files (*)").format(endings=_ENDINGS)
 
 
@@ -58,7 +58,6 @@ class TargetPanel(PartPanel):
         self._form.insertRow(0, self._thumbnail)
 
     def own_rows(self) -> dict[str, Make]:
-        """A file can be looked for."""
         return {"image": image_rows}
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
@@ -68,7 +67,7 @@ class TargetPanel(PartPanel):
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
 
     def choose_image(self, path: Path) -> None:
-        """Ask for an image file as the target; the one that it is already is read again."""
+        """Use an image file as the target; the current one is reloaded."""
         if self.session.scene.image == str(path.absolute()):
             self.image_again.emit()
             return
@@ -78,14 +77,14 @@ class TargetPanel(PartPanel):
 
 
 def of_image(path: Path, before: Finish) -> dict[str, object]:
-    """A target of an image file, finished as the one before."""
+    """Return plain data of an image target with the finish of another target."""
     finish = {name: getattr(before, name) for name in Finish.model_fields}
     tone = "linear" if path.suffix.lower() in _OF_LIGHT else "srgb"
     return {"image": str(path.absolute()), "tone": tone, **finish}
 
 
 def image_rows(field: FieldDescription, path: str) -> list[Row]:
-    """A row in which a file can be looked for."""
+    """Return a row with a button to choose a file."""
     kept = tr("The design keeps images of up to {largest} MB.").format(
         largest=LARGEST_PICTURE >> 20
     )
@@ -93,17 +92,17 @@ def image_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class Thumbnail(QWidget):
-    """The target in greys, also while the form is closed."""
+    """The target in grey levels."""
 
     def __init__(self, height: int = _HEIGHT) -> None:
         super().__init__()
         self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(height)
-        self.setToolTip(tr("The light that is wanted on the screen, as its viewer sees it"))
+        self.setToolTip(tr("Target irradiance as its viewer sees it"))
         self.setAccessibleName(tr("Target image"))
 
     def show_target(self, target: Array, aspect: float) -> None:
-        """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""
+        """Show an image (n_y, n_x) with an aspect ratio; its peak is white."""
         # As much light of the monitor for each pixel as there is on the screen.
         greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")
         self._aspect = aspect
@@ -113,13 +112,11 @@ class Thumbnail(QWidget):
         self.update()
 
     def clear(self) -> None:
-        """Show no image."""
         self._picture = QImage()
         self.update()
 
     @property
     def place(self) -> QRect:
-        """Where the picture is: as large as fits, centred."""
         width, height = float(self.width()), float(self.height())
         size = QSizeF(min(width, height * self._aspect), min(height, width / self._aspect))
         place = QRect(QPoint(0, 0), size.toSize().expandedTo(QSize(1, 1)))
@@ -127,7 +124,6 @@ class Thumbnail(QWidget):
         return place
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the picture."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.drawImage(self.place, self._picture)
@@ -138,7 +134,7 @@ _FARTHER = 1.2  # times as far from the lens as the receiver before
 
 
 class ImageListRow(PartListRow[Image]):
-    """The images one below the other, and what can be done with them."""
+    """List of the images."""
 
     def __init__(self, label: str, tip: str) -> None:
         super().__init__(
@@ -149,25 +145,24 @@ class ImageListRow(PartListRow[Image]):
             tr("Images"),
             (
                 tr("Add an image farther away, with the target of the last one"),
-                tr("Add a copy of the chosen image behind it"),
-                tr("Remove the chosen image"),
-                tr("Move the chosen image up"),
-                tr("Move the chosen image down"),
+                tr("Add a copy of the selected image"),
+                tr("Remove the selected image"),
+                tr("Move the selected image up"),
+                tr("Move the selected image down"),
             ),
         )
         self._scene: Scene | None = None
 
     def show_images(self, scene: Scene) -> None:
-        """Show the images of a scene."""
         self._scene = scene
-        of_first = tr("The panels Target and Receiver have the settings of image 1.")
+        of_first = tr("The panels Target and Receiver belong to image 1.")
         self.show_parts(scene.images, of_first if len(scene.images) > 1 else "")
 
     def _new(self, which: int) -> Image:
         assert self._scene is not None  # shown before anything can be clicked
         last, near = self._scene.images[-1], self._scene.optic.leaving_z
         receiver = last.receiver
-        if isinstance(receiver, Screen):
+        if receiver.at_distance:
             away = _FARTHER * (receiver.plane_z - near)
             receiver = receiver.moved_to(float(f"{near + away:.6g}"))
         return Image(receiver=receiver, target=last.target)
@@ -176,7 +171,7 @@ class ImageListRow(PartListRow[Image]):
         receiver = part.receiver
         place = f"z = {receiver.plane_z:.6g}" if receiver.at_distance else tr(receiver.called)
         return tr("{place}, {target}, weight {weight:g}").format(
-            place=place, target=inside(tr(title_of(type(part.target)))), weight=part.weight
+            place=place, target=in_sentence(tr(title_of(type(part.target)))), weight=part.weight
         )
 
 
@@ -190,15 +185,12 @@ class ImagesPanel(ListedPanel):
         super().__init__(tr(field.title), self._list)
 
     def show_list(self, session: Session) -> None:
-        """List the images of the scene."""
         self._list.show_images(session.scene)
 
     def name_of(self, number: int) -> str:
-        """Its number, from 1."""
         return tr("Image {number}").format(number=number + 1)
 
     def choose_image(self, path: Path) -> None:
-        """Ask for an image file as the target of the chosen image."""
         where = f"images[{self._bound}].target"
         target = of_image(path, self.session.scene.images[self._bound].target)
         text = tr("change of target image")

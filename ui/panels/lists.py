@@ -14,6 +14,7 @@ from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.panel import Panel
+from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.files.session import Session
 from workbench.scene import Part
@@ -24,7 +25,7 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 class PartListRow(Row, Generic[AnyPart]):
-    """The parts one below the other, with buttons to add, duplicate, remove and move them."""
+    """List of parts, with buttons to add, duplicate, remove and move them."""
 
     chosen = Signal()
 
@@ -62,11 +63,7 @@ class PartListRow(Row, Generic[AnyPart]):
         self._of_chosen = buttons[len(adding) :]
         lines = [buttons] if len(adding) == 1 else [buttons[: len(adding)], self._of_chosen]
         content = QWidget()
-        column = QVBoxLayout(content)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(3)
-        column.addWidget(self._list)
-        column.addWidget(self._rest)
+        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=3)
         for line in lines:
             column.addLayout(_side_by_side(line))
         self._add(content)
@@ -74,11 +71,11 @@ class PartListRow(Row, Generic[AnyPart]):
 
     @property
     def current(self) -> int:
-        """Number of the chosen part; −1 where there is none."""
+        """Index of the selected part; −1 for none."""
         return self._list.currentRow()
 
     def concerns(self, path: str) -> bool:
-        """Whether a refusal is about the parts as a whole; one part has rows of its own."""
+        """Whether a refusal concerns the whole list."""
         return path == self.path
 
     def _is_there(self, scene: Any) -> bool:
@@ -106,11 +103,11 @@ class PartListRow(Row, Generic[AnyPart]):
 
     @abstractmethod
     def _new(self, which: int) -> AnyPart:
-        """What the button of this number adds behind the others."""
+        """Return the part that an add button appends."""
 
     @abstractmethod
     def _summary(self, part: AnyPart) -> str:
-        """What makes a part different, in one line."""
+        """Return a description of a part in one line."""
 
     def _copy(self, part: AnyPart) -> AnyPart:
         return part
@@ -176,7 +173,7 @@ class PartListRow(Row, Generic[AnyPart]):
 
 
 def another_name(name: str, taken: Iterable[str], between: str) -> str:
-    """A name that no other part has: that of a part, with the next free number behind it."""
+    """Return an unused name: the given one with the next free number."""
     stem = re.sub(rf"{between}\d+$", "", name)
     names = set(taken)
     return next(new for k in count(2) if (new := f"{stem}{between}{k}") not in names)
@@ -205,7 +202,7 @@ def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
 
 
 class ListedPanel(Panel):
-    """Shows rows of one part of a list; a panel says which."""
+    """A list of parts, and the rows of the selected part."""
 
     def __init__(self, title: str, parts: PartListRow[Any]) -> None:
         self._parts = parts
@@ -215,7 +212,7 @@ class ListedPanel(Panel):
         parts.chosen.connect(self._choose)
 
     def prepare(self, session: Session) -> None:
-        """Have rows for the chosen part, if there is one."""
+        """Make rows for the selected part."""
         self._session = session
         self.show_list(session)
         self._bind(self._parts.current)
@@ -226,7 +223,7 @@ class ListedPanel(Panel):
 
     @abstractmethod
     def name_of(self, number: int) -> str:
-        """What a person reads for a part."""
+        """Return the title of a part."""
 
     @abstractmethod
     def rows_of(self, number: int) -> list[Row]:

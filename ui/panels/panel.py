@@ -7,13 +7,14 @@ from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout
 
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows
-from ui.words import inside, tr
+from ui.widgets.controls import filled
+from ui.words import in_sentence, tr
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Kinds
 
 
 class Panel(QWidget):
-    """Rows under a heading. Panels know nothing of each other, nor of the document."""
+    """Rows under a heading; independent of other panels and of the document."""
 
     edited = Signal(object)
     reverted = Signal(object)
@@ -38,29 +39,23 @@ class Panel(QWidget):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         self._add_rows(rows, title)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._heading)
-        column.addWidget(self._body)
+        filled(QVBoxLayout(self), self._heading, self._body, margins=0, spacing=0)
         self.unfold(True)
 
     @property
     def rows(self) -> Sequence[Row]:
-        """The rows in the order shown."""
         return self._rows
 
     @property
     def session(self) -> Session:
-        """What the panel shows."""
         assert self._session is not None  # shown before anything can be edited
         return self._session
 
     def prepare(self, session: Session) -> None:
-        """Have the rows that a session needs."""
+        """Make the rows that a session needs."""
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        """Show the rows that are present, except at paths whose refused edit still stands."""
+        """Show the present rows, except refused edits."""
         self._session = session
         for row in self.rows:
             if row in present:
@@ -70,13 +65,12 @@ class Panel(QWidget):
             self._form.setRowVisible(row, row in present)
 
     def unfold(self, unfolded: bool) -> None:
-        """Show or fold away the rows."""
         self._heading.setChecked(unfolded)
         self._heading.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
         self._body.setVisible(unfolded)
 
     def align(self, width: int) -> None:
-        """Give all labels one width, so that the panels' columns stand below each other."""
+        """Give all labels one width, to align the panels."""
         self._label_width = width
         for row in self.rows:
             row.label.setMinimumWidth(width)
@@ -95,7 +89,7 @@ class Panel(QWidget):
         for row in rows:
             row.name = name
             for part in filter(None, (row.of, row.label.text())):
-                row.name = tr("{panel} {field}").format(panel=row.name, field=inside(part))
+                row.name = tr("{panel} {field}").format(panel=row.name, field=in_sentence(part))
 
     def _remove_rows(self, rows: Sequence[Row]) -> None:
         for row in rows:
@@ -108,7 +102,7 @@ class Panel(QWidget):
 
 
 class PartPanel(Panel):
-    """The rows of a part of the scene, as its fields say them."""
+    """Rows generated from the fields of a part."""
 
     def __init__(self, field: FieldDescription, path: str = "") -> None:
         self.path = path or field.name
@@ -121,5 +115,4 @@ class PartPanel(Panel):
         )
 
     def own_rows(self) -> dict[str, Make]:
-        """Fields whose rows show more than the fields say."""
         return {}

@@ -3,7 +3,7 @@
 from ui.panels.fields import PairsRow, Row
 from ui.panels.lists import ListedPanel, PartListRow, another_name
 from ui.panels.rows import Rows
-from ui.words import inside, tr
+from ui.words import in_sentence, tr
 from workbench.files.session import Session
 from workbench.powers import written
 from workbench.scene import AnyRegion, FieldDescription, Kinds, RectangleRegion, Scene
@@ -12,7 +12,7 @@ from workbench.units import sized
 
 
 class RegionListRow(PartListRow[AnyRegion]):
-    """The regions one below the other, and what can be done with them."""
+    """List of the regions."""
 
     def __init__(self, label: str, tip: str) -> None:
         super().__init__(
@@ -23,16 +23,15 @@ class RegionListRow(PartListRow[AnyRegion]):
             tr("Regions"),
             (
                 tr("Add a region in the middle"),
-                tr("Add a copy of the chosen region behind it"),
-                tr("Remove the chosen region"),
-                tr("Move the chosen region up"),
-                tr("Move the chosen region down"),
+                tr("Add a copy of the selected region"),
+                tr("Remove the selected region"),
+                tr("Move the selected region up"),
+                tr("Move the selected region down"),
             ),
         )
         self._scene: Scene | None = None
 
     def show_regions(self, scene: Scene) -> None:
-        """Show the regions of a scene."""
         self._scene = scene
         self.show_parts(scene.regions, "" if scene.regions else tr("None."))
 
@@ -52,7 +51,7 @@ class RegionListRow(PartListRow[AnyRegion]):
         width, height = (high - low) * receiver.half_extent * 2
         unit = receiver.measure.sign_in(self._scene.unit)
         size = sized(f"{written(width)} × {written(height)}", unit)
-        return f"{part.name}: {inside(tr(title_of(type(part))))}, {size}"
+        return f"{part.name}: {in_sentence(tr(title_of(type(part))))}, {size}"
 
 
 class RegionsPanel(ListedPanel):
@@ -60,15 +59,13 @@ class RegionsPanel(ListedPanel):
 
     def __init__(self, field: FieldDescription) -> None:
         self._field = field
-        self._list = RegionListRow(tr("Watched"), tr(field.tip))
+        self._list = RegionListRow(tr("Regions"), tr(field.tip))
         super().__init__(tr(field.title), self._list)
 
     def show_list(self, session: Session) -> None:
-        """List the regions of the scene."""
         self._list.show_regions(session.scene)
 
     def name_of(self, number: int) -> str:
-        """Its number, from 1."""
         return tr("Region {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import Signal
 
-from ui.panels.edits import holder_of, value_at
+from ui.panels.edits import holder_of
 from ui.panels.fields import (
     AutoRow,
     Changes,
@@ -20,16 +20,17 @@ from ui.panels.fields import (
     Row,
     TextRow,
 )
-from ui.words import inside, tr
+from ui.words import in_sentence, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 from workbench.scene.fields import Fallback, ForMethod, LeftOut
 from workbench.scene.kinds import summary_of, title_of
+from workbench.scene.paths import value_at
 
 Make = Callable[[FieldDescription, str], list[Row]]
 
 
 class Rows:
-    """Makes rows."""
+    """Makes rows from the descriptions of fields."""
 
     def __init__(
         self,
@@ -43,13 +44,11 @@ class Rows:
         self._stage, self._place = stage, place
 
     def of_part(self, part: type[Part], path: str) -> list[Row]:
-        """Rows of a part at a path."""
         return [
             row for field in part.fields() for row in self.of_field(field, f"{path}.{field.name}")
         ]
 
     def of_field(self, field: FieldDescription, path: str) -> list[Row]:
-        """Rows of a field at a path."""
         rows = self._own.get(field.name, self._of_field)(field, path)
         if method := field.mark(ForMethod):
             for row in rows:
@@ -59,7 +58,7 @@ class Rows:
     def of_kinds(
         self, field: FieldDescription, kinds: Kinds, path: str, label: str = ""
     ) -> list[Row]:
-        """The choice of a kind, and the rows of each kind that are there with it."""
+        """Return the row of the kind, and the rows of each kind."""
         choice = KindRow(
             path,
             tr(label or field.title),
@@ -170,7 +169,6 @@ class KindRow(ChoiceRow):
         self._shown = ""
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the part's kind."""
         super().show_scene(scene, pending)
         self._shown = self._read_kind(scene)
 
@@ -198,7 +196,7 @@ class KindRow(ChoiceRow):
 
 
 def _sentence(kind: type[Part]) -> str:
-    return f"{tr(title_of(kind))}: {inside(tr(summary_of(kind)))}"
+    return f"{tr(title_of(kind))}: {in_sentence(tr(summary_of(kind)))}"
 
 
 def _limits(field: FieldDescription) -> str:
@@ -207,10 +205,7 @@ def _limits(field: FieldDescription) -> str:
 
 
 def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[type[Part]]]]:
-    """Fields of all kinds, in an order that is each kind's own, and which have them.
-
-    What several of them have is one field: what is typed there stays when the kind changes.
-    """
+    """Fields of all kinds in order, each with the kinds that have it; equal fields are merged."""
     merged: list[tuple[FieldDescription, list[type[Part]]]] = []
     for kind in kinds:
         place = 0

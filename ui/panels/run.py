@@ -9,7 +9,7 @@ from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.lists import ListedPanel, PartListRow
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, Rows, value_row
-from ui.words import inside, later, tr
+from ui.words import in_sentence, later, tr
 from workbench.design.parametrisation import memory_bytes, parameter_count
 from workbench.files.session import Session
 from workbench.process import as_bytes
@@ -21,7 +21,6 @@ class RunPanel(PartPanel):
     """Bound to ``scene.run``."""
 
     def own_rows(self) -> dict[str, Make]:
-        """What is optimised comes with its size."""
         return {"parametrisation": lambda field, path: [value_row(field, path), _SizeRow()]}
 
 
@@ -31,21 +30,18 @@ class _SizeRow(Row):
             "run.parameters",
             tr("Parameters"),
             tr(
-                "How many numbers are optimised, and the memory that they take with "
-                "their gradient and the optimiser's two moments. A network that does not "
-                "fit is refused at the start."
+                "Number of optimised parameters, and their memory with gradient and optimiser "
+                "state. A network that does not fit into memory is refused at the start."
             ),
         )
         self._text = QLabel()
         self._add(self._text)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show what a scene's parametrisation comes to."""
         self._text.setText(f"{parameter_count(scene):,} ({as_bytes(memory_bytes(scene))})")
 
     @property
     def text(self) -> str:
-        """What is shown."""
         return self._text.text()
 
     def _is_there(self, scene: Any) -> bool:
@@ -53,36 +49,34 @@ class _SizeRow(Row):
 
 
 class StageListRow(PartListRow[Stage]):
-    """The stages one below the other, and what can be done with them."""
+    """List of the stages."""
 
     def __init__(self) -> None:
         super().__init__(
             "run.stages",
-            tr("In turn"),
+            tr("Stages"),
             tr(
-                "A run goes through these stages before the scene itself, each going on "
-                "from the lens of the one before: from a point source to an extended "
-                "one, say, or from a coarse net to a fine one."
+                "Stages that a run completes before the scene itself; each continues from the "
+                "lens of the previous one. Example: a point source before an extended one, or a "
+                "coarse net before a fine one."
             ),
             tr("stage"),
             tr("Stages of the run"),
             (
                 tr("Add a stage behind the others"),
-                tr("Add a copy of the chosen stage behind it"),
-                tr("Remove the chosen stage"),
-                tr("Run the chosen stage sooner"),
-                tr("Run the chosen stage later"),
+                tr("Add a copy of the selected stage"),
+                tr("Remove the selected stage"),
+                tr("Run the selected stage earlier"),
+                tr("Run the selected stage later"),
             ),
         )
         self._left = 0
 
     def show_stages(self, stages: tuple[Stage, ...], iterations: int) -> None:
-        """Show the stages, and the iterations that they leave of all."""
+        """Show the stages, and the remaining iterations."""
         self._left = iterations - sum(stage.iterations for stage in stages)
-        then = tr("Then the scene as it stands, {iterations}.").format(
-            iterations=_iterations(self._left)
-        )
-        self.show_parts(stages, then if stages else tr("None: the scene is run as it stands."))
+        then = tr("Then the scene itself: {iterations}.").format(iterations=_iterations(self._left))
+        self.show_parts(stages, then if stages else tr("None: the run has only the scene itself."))
 
     def _new(self, which: int) -> Stage:
         return Stage(iterations=max(1, self._left // 2))
@@ -91,14 +85,14 @@ class StageListRow(PartListRow[Stage]):
         parts = [_iterations(part.iterations)]
         if part.method is not None:
             (method,) = (field for field in Stage.fields() if field.name == "method")
-            parts.append(inside(tr(dict(method.choices)[part.method])))
+            parts.append(in_sentence(tr(dict(method.choices)[part.method])))
         if part.control_points is not None:
             n_u, n_v = part.control_points
             parts.append(tr("net of {n_u} × {n_v}").format(n_u=n_u, n_v=n_v))
         if part.source is not None:
-            parts.append(inside(tr(title_of(type(part.source)))))
+            parts.append(in_sentence(tr(title_of(type(part.source)))))
         if part.filter is not None:
-            kind = inside(tr(title_of(type(part.filter))))
+            kind = in_sentence(tr(title_of(type(part.filter))))
             parts.append(tr("{kind} filter").format(kind=kind))
         return ", ".join(parts)
 
@@ -118,16 +112,13 @@ class StagesPanel(ListedPanel):
         super().__init__(tr("Stages"), self._list)
 
     def show_list(self, session: Session) -> None:
-        """List the stages of the run."""
         run = session.scene.run
         self._list.show_stages(run.stages, run.iterations)
 
     def name_of(self, number: int) -> str:
-        """Its number, from 1."""
         return tr("Stage {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
-        """What a stage may have of its own."""
         path = f"run.stages[{number}]"
         rows = Rows(
             lambda: self.session.scene.stage_scenes()[number],

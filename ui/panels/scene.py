@@ -38,7 +38,7 @@ def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class _UnitRow(ChoiceRow):
-    def _tell(self, path: str, changes: Changes) -> None:
+    def _emit_edit(self, path: str, changes: Changes) -> None:
         # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
         unit = self.chooser.currentData()
         self.edited.emit(Edit(path, tr("change of unit"), {}, alone=True, unit=unit))
@@ -50,7 +50,7 @@ _NAMED = Kinds("kind")
 
 
 def light_files() -> str:
-    """Names of files of light, as dialogs take them."""
+    """File filter of light files."""
     endings = " ".join(f"*{ending}" for ending in _ENDINGS)
     return tr("Files of light ({endings});;All files (*)").format(endings=endings)
 
@@ -72,16 +72,15 @@ class SourcePanel(PartPanel):
                 row.asked.connect(lambda *_: self.file_asked.emit())
 
     def own_rows(self) -> dict[str, Make]:
-        """A file can be looked for."""
         return {"file": file_rows}
 
     def choose_file(self, path: Path) -> None:
-        """Take the light of a file; its name tells of which kind it is."""
+        """Use a light file as source; its ending gives the kind."""
         kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
         file = {"file": str(path.absolute())}
         scene = self.session.scene
         source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.defaults_for(scene)}
-        if isinstance(scene.source, kind):
+        if scene.source.kind == source["kind"]:
             source = scene.source.model_dump(mode="json")
         edit = Edit(
             "source.file", tr("change of file of light"), {"source": source | file}, waits=False
@@ -90,6 +89,6 @@ class SourcePanel(PartPanel):
 
 
 def file_rows(field: FieldDescription, path: str) -> list[Row]:
-    """A row in which a file can be looked for."""
+    """Return a row with a button to choose a file."""
     kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
     return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose a file of light"))]

@@ -1,1 +1,1 @@
-"""Runs in a thread of their own: steering them, showing them, keeping them."""
+"""Runs, live update, checks and kept runs."""

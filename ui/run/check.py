@@ -28,7 +28,7 @@ ACCURACY = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class CheckedLens:
-    """A lens that shall be checked."""
+    """A lens to check."""
 
     session: "Session"
     heights: "ControlHeights"
@@ -41,7 +41,7 @@ class CheckedLens:
 def check(
     lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
 ) -> "tuple[Validation, float | None] | None":
-    """Check a lens; meant for a thread. Reports the part that is done."""
+    """Check a lens in a thread; reports the finished fraction."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.metrics import relative_l2
     from workbench.analysis.validation import validating
@@ -56,7 +56,7 @@ def check(
 
 
 class Check(QObject):
-    """A check of the lens on show, forgotten as soon as another one is shown."""
+    """A check of the shown lens, dropped when another one is shown."""
 
     figures_changed = Signal(str)
     under_way_changed = Signal(bool)
@@ -75,35 +75,30 @@ class Check(QObject):
         self._background.failed.connect(self._give_up)
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of the lens that is shown."""
         self._shown = frame
         if self._asked is not None and not same_lens(self._asked, frame):
             self._forget()
 
     def show_design(self, session: "Session") -> None:
-        """Forget a lens that is not the open design's any more, and its check."""
+        """Drop a lens of another design, and its check."""
         if self._shown is not None and not shows(self._shown, session):
             self._shown = None
         if self._asked is not None and not shows(self._asked, session):
             self._forget()
 
     def show_nothing(self, session: "Session") -> None:
-        """Take note that there is no lens to show."""
         self._shown = None
         self._forget()
 
     def use_rays(self, rays: int) -> None:
-        """Trace so many from the next check on."""
         self._rays = rays
 
     def toggle(self) -> None:
-        """Check the lens on show, unless that is done; while it is under way, cancel it."""
+        """Start the check of the shown lens, or cancel it."""
         if self._background.busy:
             self._forget()
         elif self._shown is None:
-            self.failed.emit(
-                tr("The light of this design is still being traced. Try again in a moment.")
-            )
+            self.failed.emit(tr("The image is still being computed. Try again in a moment."))
         elif self._asked is None or self._asked_rays != self._rays:
             self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
             self._asked, self._asked_rays = self._shown, self._rays
@@ -118,12 +113,10 @@ class Check(QObject):
             self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
 
     def cancel(self) -> None:
-        """Leave the check, if one is under way."""
         if self._background.busy:
             self._forget()
 
     def close(self) -> None:
-        """Leave the check and wait for its thread; safe to call twice."""
         self._background.close()
 
     def _tell_progress(self, lens: CheckedLens, part: float) -> None:
@@ -135,7 +128,7 @@ class Check(QObject):
         self.figures_changed.emit(
             tr("Check failed")
             if failed
-            else tr("Checked error {verified}").format(verified=verified_error(found.verified))
+            else tr("Verified error {verified}").format(verified=verified_error(found.verified))
         )
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
@@ -145,9 +138,9 @@ class Check(QObject):
         low, high = found.verified.relative_l2_corrected_interval
         self.summary_ready.emit(
             tr(
-                "Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} "
-                "to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± "
-                "{noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}"
+                "Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} "
+                "%); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; "
+                "{efficiency:.1f} % {place}"
             ).format(
                 rays=found.rays,
                 verified=verified_error(found.verified),

@@ -17,8 +17,9 @@ from PySide6.QtWidgets import (
 )
 
 from ui.run.check import RAYS, CheckedLens
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel, kept_together
-from ui.words import inside, later, tr
+from ui.words import in_sentence, later, tr
 from workbench.said import Said
 
 if TYPE_CHECKING:
@@ -30,87 +31,85 @@ if TYPE_CHECKING:
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
-_SAID = Qt.ItemDataRole.UserRole  # a text with the spaces that it was given
-_NOTHING = later("F8 traces what is on show anew, with rays that its design never saw.")
+_ORIGINAL = Qt.ItemDataRole.UserRole  # the text without no-break spaces
+_NOTHING = later("F8 checks the design with an independent ray trace.")
 _TIPS = later(
     {
         "check failed": (
-            "Cells and random rays trace the same light by different means. Where they differ by "
-            "more than noise and error bounds explain, one of them is wrong."
+            "Two independent methods, beam meshes and random rays, differ by more than their "
+            "error bounds: one of them is wrong."
         ),
         "no deterministic figure": (
-            "The error is by random rays alone, whose noise is in the intervals below."
+            "The error is from random rays alone; the intervals below include their noise."
         ),
         "optimiser and check": (
-            "The image and the efficiency of the design differ from the check by more than errors "
-            "explain: the optimiser traces fewer rays."
+            "Image or efficiency of the optimiser differ from the check by more than the error "
+            "bounds; the optimiser traces fewer rays."
         ),
         "verified error": (
-            "Relative L2 error of image and target, by cells and without random "
-            "rays: what the optic itself is off."
+            "Relative L2 error between image and target, by a deterministic beam mesh: free of "
+            "ray noise."
         ),
-        "it is surely": "Where that error lies, by a bound from two sizes of cells.",
-        later(
-            "cells"
-        ): "Cells of the entrance face whose light is spread over what they cover there.",
-        "error by independent images": (
-            "Cells would have to be finer than time allows: the error, and where it "
-            "lies with 95 % confidence, are from pairs of images by random rays: "
-            "their scatter has no mean."
+        "error interval": "Interval of that error, bounded from two mesh sizes.",
+        "beam mesh": "Number of beams through the entrance face.",
+        "error by image pairs": (
+            "The deterministic check would be too slow here; pairs of random images are used. The "
+            "interval has 95 % confidence."
         ),
-        "random rays are off by": (
-            "Relative L2 difference of the two images: the second opinion. About "
-            "once the noise of the rays is what chance alone makes."
+        "difference of random rays": (
+            "Relative L2 difference between the images of both methods. About one noise level is "
+            "expected."
         ),
         "relative L2 error": (
-            "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
-            "of the rays from pixel to pixel is in it; more rays make it smaller."
+            "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more "
+            "rays reduce it."
         ),
-        "95 % of other rays": "Where the error with scatter lies for as many other rays.",
+        "95 % interval with noise": (
+            "95 % interval of the error with noise, for other rays of the same number."
+        ),
         "without ray noise": (
-            "The same error without the scatter of the rays: what the optic itself "
-            "is off. With < if so few rays cannot tell it from none."
+            "The same error without ray noise. With < where these rays cannot distinguish it from "
+            "zero."
         ),
-        "95 % confidence": "Where the error of the optic itself lies.",
+        "95 % confidence": "95 % confidence interval of that error.",
         "loss of the paper": (
-            "The norm of the difference between image and target, each divided by "
-            "its sum, over the root of the number of pixels."
+            "Norm of the difference between image and target, each divided by its sum, over the "
+            "root of the number of pixels."
         ),
         "PSNR": "Peak signal-to-noise ratio, against the target's peak: more is better.",
         "SSIM": "Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.",
-        later("correlation"): "Pearson's coefficient of image and target over the pixels: "
-        "1 for images of one shape.",
+        later("correlation"): (
+            "Pearson's coefficient of image and target over the pixels; 1 for proportional images."
+        ),
         later("uniformity"): (
-            "Least over mean of irradiance / target where the target is lit, at half "
-            "its peak or more: 1 is even, 0 has a dark pixel."
+            "Least over mean of irradiance / target where the target is at least half its peak; 1 "
+            "is uniform, 0 has a dark pixel."
         ),
         later("contrast"): (
-            "(lit − black) / (lit + black) of the mean irradiances there; black is "
-            "up to a hundredth of the target's peak. 1 is a perfect black."
+            "(lit − black) / (lit + black) of the mean irradiances there; black is up to a "
+            "hundredth of the target's peak. 1 is a perfect black."
         ),
-        later("efficiency"): "Part of the emitted light that makes the image.",
+        later("efficiency"): "Fraction of the emitted flux in the image.",
         "meets the face again": (
-            "Light that comes back to the face which it leaves, as in a deep bowl. "
-            "Image and efficiency count it as if nothing were in its way."
+            "Flux that hits its exit face a second time, as in a deep concave face. Image and "
+            "efficiency ignore this."
         ),
         "comes through the screen": (
-            "Light that the screen keeps from the mirror. Image and efficiency count "
-            "it as if the screen were not in its way; a screen beside the axis is "
-            "not."
+            "Flux that the screen blocks before the mirror. Image and efficiency ignore this; a "
+            "screen beside the axis does not block it."
         ),
-        "off the optimiser's image": (
-            "Relative L2 difference to the image that the optimiser sees. Its filter "
-            "and the scatter of these rays are in it."
+        "difference to the optimiser": (
+            "Relative L2 difference to the image of the optimiser; includes its filter and ray "
+            "noise."
         ),
-        later("rays"): "Rays of the image; a quarter as many more are traced for the error "
-        "without scatter.",
+        later("rays"): "Rays of the image; a quarter more are traced for the error without noise.",
     }
 )
 
 
 _OF_REGION = later(
-    "Part of the emitted light that falls on the region, and its darkest and "
-    "brightest pixel over the mean: 1 is even."
+    "Fraction of the emitted flux on the region, and its darkest and brightest pixel over the "
+    "mean; 1 is uniform."
 )
 
 
@@ -121,19 +120,18 @@ class _NarrowTable(QTableWidget):
         self.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
 
     def share_width(self) -> None:
-        """Give names the width that they need, but at most half; values get the rest."""
+        """Give names at most half of the width, and values the rest."""
         names, most = self.sizeHintForColumn(0), self.viewport().width() // 2
         self.setColumnWidth(0, min(names, most))
         self.resizeRowsToContents()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Wrap for the width of now."""
         super().resizeEvent(event)
         self.share_width()
 
 
 class CheckFigures(QWidget):
-    """Keeps the figures when another lens is shown, and tells that they are of the one before."""
+    """Table of figures; those of another lens are marked as outdated."""
 
     rays_chosen = Signal(int)
 
@@ -159,7 +157,7 @@ class CheckFigures(QWidget):
         self._table.addAction(copy)
         self._rays = QComboBox()
         self._rays.setAccessibleName(tr("Rays of a check"))
-        self._rays.setToolTip(tr("Rays of a check; four times as many halve their scatter"))
+        self._rays.setToolTip(tr("Rays of a check; four times as many halve the noise"))
         for rays in _CHOICES:
             self._rays.addItem(tr("{rays} million rays").format(rays=rays // 1_000_000), rays)
         kept = self._rays.findData(settings.value(_KEY, RAYS, type=int))
@@ -169,26 +167,16 @@ class CheckFigures(QWidget):
         ask.setDefaultAction(check)
         self._copy = QToolButton()
         self._copy.setText(tr("Copy"))
-        self._copy.setToolTip(tr("Put all figures on the clipboard, a tab between name and value"))
+        self._copy.setToolTip(tr("Copy all figures to the clipboard, tab-separated"))
         self._copy.clicked.connect(self.copy)
         self._copy.setEnabled(False)
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 4, 6, 4)
-        row.setSpacing(6)
-        row.addWidget(self._rays)
-        row.addStretch(1)
-        row.addWidget(ask)
-        row.addWidget(self._copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._hint)
-        column.addWidget(self._table, 1)
-        column.addLayout(row)
+        row = filled(
+            QHBoxLayout(), self._rays, STRETCH, ask, self._copy, margins=(6, 4, 6, 4), spacing=6
+        )
+        filled(QVBoxLayout(self), self._hint, (self._table, 1), row, margins=0, spacing=0)
 
     @property
     def rays(self) -> int:
-        """Rays that a check traces."""
         return int(self._rays.currentData())
 
     @property
@@ -197,7 +185,6 @@ class CheckFigures(QWidget):
         return "".join(f"{self._cell(n, 0)}\t{self._cell(n, 1)}\n" for n in range(self._count))
 
     def show_check(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
-        """Show what a check says."""
         # Late: it is slow to import, and is there after a check.
         from workbench.analysis.metrics import relative_l2
 
@@ -228,14 +215,13 @@ class CheckFigures(QWidget):
         self._hint.hide()
 
     def follow(self, figures: str) -> None:
-        """Take note of what is known of the lens on show, before `show_check` shows its figures."""
-        before = tr(" Out of date: these figures are of the design before.") if self._count else ""
+        """Show the state of the check, before `show_check` shows its figures."""
+        before = tr(" Outdated figures: the design has changed.") if self._count else ""
         self._hint.setText(f"{figures[:1].upper()}{figures[1:]}{before}" or tr(_NOTHING))
         self._hint.show()
         self._table.setEnabled(False)
 
     def copy(self) -> None:
-        """Put all figures on the clipboard."""
         if self._count:
             QGuiApplication.clipboard().setText(self.text)
 
@@ -246,14 +232,14 @@ class CheckFigures(QWidget):
     def _cell(self, row: int, column: int) -> str:
         item = self._table.item(row, column)
         assert item is not None  # each row is filled
-        return str(item.data(_SAID))
+        return str(item.data(_ORIGINAL))
 
     def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
         for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
             for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
                 item = QTableWidgetItem(kept_together(text))
-                item.setData(_SAID, text)
+                item.setData(_ORIGINAL, text)
                 item.setToolTip(f"<p>{tip}</p>")
                 self._table.setItem(number, column, item)
         self._table.share_width()
@@ -277,7 +263,10 @@ def _rows_of(
     rows = [
         *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference, remark)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),
-        *((row, inside(tr(name)), tip) for row, (name, tip) in zip(parts, titles, strict=True)),
+        *(
+            (row, in_sentence(tr(name)), tip)
+            for row, (name, tip) in zip(parts, titles, strict=True)
+        ),
     ]
     return [(row._replace(name=name, value=_value(row.value)), tr(tip)) for row, name, tip in rows]
 

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from ui.run.kept_runs import called
 from ui.run.status import clock
 from ui.shown.frame import image_titles
+from ui.widgets.controls import filled
 from ui.widgets.native import rgb_image
 from ui.widgets.plot_words import translate
 from ui.words import field_title, later, tr
@@ -39,7 +40,7 @@ from workbench.report.scene_rows import differences
 
 
 def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
-    """Figures by their English names; ``verified`` is what checks said, empty for nothing."""
+    """Figures by their English names; ``verified`` is the verified error, if any."""
     result, (n_u, n_v) = run.result, run.scene.optic.net_shape
     return [
         ("Target", tr(run.scene.target.called)),
@@ -56,7 +57,7 @@ def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
 
 
 def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
-    """The light of a run, so many pixels wide or high."""
+    """Return a thumbnail of the irradiance of a run."""
     receiver, light = run.scene.receiver, run.result.state.irradiance
     top = full_scale(run.scene, run.target, receiver.total(light))
     step = max(1, max(light.shape) // (2 * side))
@@ -74,7 +75,7 @@ _SIZE = QSize(1180, 740)
 _SHARES = (64, 36)  # of the pictures and the table
 _SAME = later("The scenes are the same")
 _DIFFER = later("Fields of the scenes that differ")
-_POINT = later("Point at an image to read its light")
+_POINT = later("Point at an image to read its irradiance")
 
 Pair = tuple[KeptRun, KeptRun]
 
@@ -88,24 +89,20 @@ class RunComparison(QDialog):
         self._verified = verified
         self._choice = QComboBox()
         self._choice.setAccessibleName(tr("Image that is shown"))
-        self._choice.setToolTip(tr("Which of the scenes' images is shown, in pictures and figures"))
+        self._choice.setToolTip(tr("Choose the image to compare"))
         self._choice.activated.connect(self._show_image)
         self._pair: Pair | None = None
         self._picture: Comparison | None = None
         self._readout = QLabel(tr(_POINT))
-        self._readout.setAccessibleName(tr("Light under the pointer"))
+        self._readout.setAccessibleName(tr("Value under the pointer"))
         self._figure = Figure()
         self._canvas = FigureCanvasQTAgg(self._figure)
         self._canvas.mpl_connect("motion_notify_event", self._read)
         self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(tr(_POINT)))
         self.table = _table()
         pictures = QWidget()
-        column = QVBoxLayout(pictures)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._canvas, 1)
-        below = QHBoxLayout()
-        below.addWidget(self._choice)
-        below.addWidget(self._readout, 1)
+        column = filled(QVBoxLayout(pictures), (self._canvas, 1), margins=0)
+        below = filled(QHBoxLayout(), self._choice, (self._readout, 1))
         column.addLayout(below)
         parts = QSplitter(Qt.Orientation.Horizontal)
         parts.setChildrenCollapsible(False)
@@ -114,23 +111,18 @@ class RunComparison(QDialog):
         for number, share in enumerate(_SHARES):
             parts.setStretchFactor(number, share)
         parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
-        row = QHBoxLayout(self)
-        row.setContentsMargins(8, 8, 8, 8)
-        row.addWidget(parts)
+        filled(QHBoxLayout(self), parts, margins=(8, 8, 8, 8))
         self.resize(_SIZE.boundedTo(window.size()))
 
     @property
     def pair(self) -> Pair | None:
-        """The runs on show."""
         return self._pair
 
     @property
     def readout(self) -> str:
-        """What is said of the place under the pointer."""
         return self._readout.text()
 
     def show_pair(self, pair: Pair) -> None:
-        """Show two runs."""
         self._pair = pair
         titles = image_titles(*(run.scene for run in pair))
         chosen = min(max(self._choice.currentIndex(), 0), len(titles) - 1)
@@ -141,7 +133,6 @@ class RunComparison(QDialog):
         self._show_image()
 
     def show_figures(self) -> None:
-        """Show figures as they are known by now."""
         if self._pair is None:
             return
         own = zip(*map(self._figures_of, self._pair), strict=True)
@@ -156,7 +147,6 @@ class RunComparison(QDialog):
         self._add(apart)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the palette between light and dark."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and self._picture is not None:
             self._recolour()

@@ -26,9 +26,8 @@ _FRAME_MS = 66  # 15 Hz
 class Runner(QObject):
     """Runs one job at a time in the background.
 
-    While a run is on, `preview` does nothing, since its frames are the lens as it stands. A
-    preview does not count as a run: the state stays "idle", and a run or another preview replaces
-    it. `pause`, `resume` and `stop` out of season do nothing, so that a second click is harmless.
+    A preview is no run: the state stays "idle", and a run or another preview replaces it. Calls
+    that do not fit the state do nothing.
     """
 
     state_changed = Signal(str)
@@ -59,35 +58,32 @@ class Runner(QObject):
 
     @property
     def best(self) -> Result | None:
-        """The best lens so far of the run that is on; None before its first, or without a run."""
+        """The best lens so far of the active run, if any."""
         return self._best
 
     def start(self, session: "Session", continue_run: bool) -> None:
-        """Begin a run."""
         if self._state != "idle":
             raise RuntimeError(f"cannot start a run while one is {self._state}")
         self._give(RunJob(session, continue_run=continue_run, generate=self._generate))
         self._set_state("running")
 
     def preview(self, session: "Session") -> None:
-        """Show the lens as it stands: with its stored figures, or those of a first trace."""
+        """Show the lens with its stored figures, or those of a first trace."""
         if self._state == "idle":
             self._give(RunJob(session, preview=True, generate=self._generate))
 
     def show(self, frame: "Frame") -> None:
-        """Show a frame that was made elsewhere, in place of a preview."""
+        """Show a frame from elsewhere in place of a preview."""
         if self._state == "idle":
             self._drop_job()
             self.frame_ready.emit(frame)
 
     def pause(self) -> None:
-        """Hold the run before its next iteration."""
         if self._job is not None and self._state == "running":
             self._job.gate.hold()
             self._set_state("paused")
 
     def resume(self) -> None:
-        """Let a paused run go on."""
         if self._job is not None and self._state == "paused":
             self._job.gate.release()
             self._set_state("running")
@@ -99,7 +95,7 @@ class Runner(QObject):
             self._set_state("stopping")
 
     def shutdown(self) -> None:
-        """Stop and wait for the thread; nothing is emitted about the run any more."""
+        """Stop and wait for the thread; emits no more about the run."""
         self._drop_job()
         self._background.close()
         self._set_state("idle")
@@ -157,7 +153,7 @@ _PREVIEW_MS = 200  # a person who types is not done yet
 
 
 class RunControl(QObject):
-    """Runs designs of the document and previews it in between."""
+    """Runs designs of the document, and previews it between runs."""
 
     ended = Signal()
     gave_way = Signal(str)
@@ -178,44 +174,37 @@ class RunControl(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether a run has begun and not ended."""
         return self.runner.state != "idle"
 
     def start(self) -> None:
-        """Design the lens from its start."""
         self._start(continue_run=False)
 
     def go_on(self) -> None:
-        """Go on from the lens as it is."""
         self._start(continue_run=True)
 
     def go_on_from(self, frame: "Frame") -> None:
-        """Go on from the lens as it was at some moment of the run."""
+        """Continue from the lens of a frame."""
         self.history.branch(frame)
         self._document.set_result(
-            frame.result,
-            tr("return to iteration {number}").format(number=iterations_before(frame)),
+            frame.result, tr("return to iteration {number}").format(number=iterations_before(frame))
         )
         self.go_on()
 
     def toggle_pause(self) -> None:
-        """Hold the run, or let it go on."""
         if self.runner.state == "paused":
             self.runner.resume()
         else:
             self.runner.pause()
 
     def show(self, frame: "Frame") -> None:
-        """Show a lens in the making, in place of a preview of the document's."""
+        """Show a frame of a drag in place of a preview."""
         self._preview.stop()
         self.runner.show(frame)
 
     def preview(self) -> None:
-        """Show the document's lens again."""
         self._preview.start()
 
     def close(self) -> None:
-        """End the run and its thread; safe to call twice."""
         self._preview.stop()
         self.runner.shutdown()
 
@@ -245,13 +234,11 @@ class RunControl(QObject):
         self.ended.emit()
 
 
-NO_LENS = later(
-    "There is no result yet, or its light is still being traced; try again in a moment."
-)
+NO_LENS = later("There is no result yet, or it is still being computed. Try again in a moment.")
 
 
-class LensOnShow(QObject):
-    """Knows the lens of the document, also of another task or one that is being designed."""
+class CurrentLens(QObject):
+    """The lens to export: that of the document, or the best one of a run."""
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
@@ -260,21 +247,16 @@ class LensOnShow(QObject):
         self._preview: Frame | None = None
 
     def follow(self, control: "RunControl") -> None:
-        """See the runs and previews of the document."""
         self._control = control
         control.runner.frame_ready.connect(self._take)
 
     @property
     def in_the_making(self) -> "Result | None":
-        """The best lens so far of a run that goes on."""
         return None if self._control is None else self._control.runner.best
 
     @property
     def session(self) -> "Session | None":
-        """The design with the lens on show as its result; None where there is no lens yet.
-
-        A lens that was designed for another task has the light of this one, as it is shown.
-        """
+        """The design with the shown lens as its result; None where there is no lens yet."""
         session = self._document.session
         making = self.in_the_making
         if making is not None:
@@ -288,7 +270,7 @@ class LensOnShow(QObject):
 
     @property
     def text(self) -> str:
-        """What it is, and the task that it was designed for; empty where there is no lens yet."""
+        """Description with the task of the lens; empty without a lens."""
         making, session = self.in_the_making, self._document.session
         optic = session.scene.optic.called
         if making is not None:
@@ -298,7 +280,7 @@ class LensOnShow(QObject):
         return (
             ""
             if session.heights is None
-            else tr("the {optic} on show, {origin}", optic=optic).format(
+            else tr("this {optic}, {origin}", optic=optic).format(
                 origin=tr(origin(session, called))
             )
         )

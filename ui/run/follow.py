@@ -1,19 +1,15 @@
-"""The lens follows every edit of the task, while no run goes on.
+"""Live update: designs a lens after every edit of the task, except during a run.
 
-1. One thread designs. An edit lets the design that is under way come to its first lens, if that
-   comes soon; it is shown, and then the latest edit is next: whoever drags a slider sees lens after
-   lens. Where a first lens takes long, designs begin after a pause of the hand: nothing switches
-   itself off. A design that nobody wants any more, after undo or a new task, ends at once.
-2. Each lens is part of the step of its edit (`Document.improve`): whatever is done with the design
-   is done with the best lens so far, and undoing the edit takes it back. Once a lens is finished,
-   the next edit begins another step, also one of the same field; and the lens is a kept run.
-3. An edit changes the document once. Where it has changed more often something else was done, such
-   as undo or opening a file, and the lens that followed before is none to go on from.
-4. An edit that asks for no other lens, such as a region, lets the design go on from its best lens.
-5. A run or a check goes first. What follows ends when one begins, and edits during a check are
-   followed after it; those during a run wait in the forms as ever. The check is of the best lens
-   that followed. The design of that does not go on by itself, which would take the lens that has
-   been checked away: until its end it counts as stopped, and a person may let it go on.
+1. One thread designs. An edit lets the current design reach its first lens, if that comes soon;
+   then the latest edit is next. Where a first lens takes long, a design waits for a pause between
+   edits. A design that undo or a new task has made useless ends at once.
+2. Each lens is part of the step of its edit (`Document.improve`), and undo reverts both. A finished
+   lens is a kept run, and the next edit is a step of its own.
+3. An edit changes the document once. After more changes (undo, opening a file) the lens before is
+   no start.
+4. An edit that does not change the lens, such as a region, continues the design from its best lens.
+5. Runs and checks have priority. Edits during a check are designed after it. The checked lens
+   counts as stopped: continuing its design would replace it.
 """
 
 from dataclasses import dataclass, replace
@@ -46,8 +42,8 @@ _GRACE_MS = 500  # that a design has for its first lens once an edit waits for i
 _LATE_MS = 3000  # without a first lens, after which the status says that this takes long
 _SOON = 1.0  # seconds within which a first lens comes on a machine that keeps up
 _SHARE, _LONGEST = 0.5, 4.0  # pause after an edit: part of what a first lens takes, and seconds
-_UNDER_WAY = later("Following: the first design is under way")
-_SLOW = later("Following: the first design takes long here; edits wait for a pause")
+_UNDER_WAY = later("Updating the {optic}")
+_SLOW = later("Updating the {optic}: slow task, edits are applied after a pause")
 
 
 @dataclass(eq=False)
@@ -61,7 +57,7 @@ class _Design:
 
 
 class Follow(QObject):
-    """Designs the lens of the document after every edit."""
+    """Live update of the document's lens."""
 
     message = Signal(str)
     settled = Signal()
@@ -91,7 +87,7 @@ class Follow(QObject):
         self._look = QTimer(self)
         self._look.timeout.connect(self._take_frame)
         self._late = QTimer(self, singleShot=True, interval=_LATE_MS)
-        self._late.timeout.connect(lambda: self._say(tr(_SLOW)))
+        self._late.timeout.connect(lambda: self._say(self._named(_SLOW)))
         self._pause = 0.0  # seconds without an edit before its design begins
         self._waiting: _Design | None = None  # for such a pause
         self._rested = QTimer(self, singleShot=True)
@@ -105,15 +101,14 @@ class Follow(QObject):
 
     @property
     def text(self) -> str:
-        """The last message."""
         return self._text
 
     def follows(self, session: "Session") -> bool:
-        """Whether an edit that leads to this session is followed; experiments are not."""
+        """Whether live update designs a lens for this session."""
         return self._on and session.scene.run.method == "auto"
 
     def switch(self, on: bool) -> None:
-        """Follow edits from now on, or do not; a lens that is missing is designed at once."""
+        """Switch live update; a missing lens is designed at once."""
         self._on = on
         session = self._document.session
         if not on:
@@ -122,11 +117,7 @@ class Follow(QObject):
             self._begin(session, own_step=session.heights is not None)
 
     def hold(self, held: bool) -> None:
-        """Let something else go first, such as a check.
-
-        What is edited meanwhile follows it, and so does a lens that was under way where there is
-        none yet.
-        """
+        """Pause for a check; edits meanwhile and a missing lens are designed after it."""
         if held == self._held:
             return
         if held:
@@ -143,18 +134,13 @@ class Follow(QObject):
             self._begin(waiting)
 
     def close(self) -> None:
-        """End the thread; safe to call twice."""
         self._on = False
         self.rest()
         self._background.close()
         self._design = None
 
     def _show_best(self) -> None:
-        """Show the lens that the document has, where what is seen came after it and is not as good.
-
-        This takes the window's thread 0.1 s for a net of 480 x 480, and is rare: nearly every step
-        of a design is the best one so far.
-        """
+        """Show the document's lens where a later, worse one is shown; rare, 0.1 s for 480 x 480."""
         seen, session = self._seen, self._document.session
         if self._wanted is None or seen is None or session.result is None:
             return
@@ -195,10 +181,7 @@ class Follow(QObject):
         own_step: bool = False,
         abandons: bool = False,
     ) -> None:
-        """Design a lens as soon as the design under way has one, and nothing else goes first.
-
-        Nothing is waited for where that design is abandoned.
-        """
+        """Design a lens once the current design has one; at once if that design is abandoned."""
         self._changes = 0
         if self._held:
             self._wanted, self._chain = session, False
@@ -213,7 +196,7 @@ class Follow(QObject):
             self._queue()
         else:
             self._rested.start(round(1000 * self._pause))
-        self._say(tr(_UNDER_WAY))
+        self._say(self._named(_UNDER_WAY))
 
     def _queue(self) -> None:
         self._rested.stop()
@@ -242,7 +225,7 @@ class Follow(QObject):
     def _snapshots(
         self, session: "Session", goes_on: bool, before: "Session | None"
     ) -> "Generator[Snapshot, None, str]":
-        """Meant for the thread, which alone touches the lenses of before."""
+        """For the thread, which alone uses the earlier lenses."""
         return (yield from self._live.snapshots(session, goes_on, before))
 
     def _take_next(self) -> None:
@@ -289,8 +272,7 @@ class Follow(QObject):
         if design.own_step:
             design.own_step = False
             self._document.change(
-                session,
-                tr("design of the {optic} that was missing", optic=session.scene.optic.called),
+                session, tr("design of the missing {optic}", optic=session.scene.optic.called)
             )
             self._changes = 0
         else:
@@ -298,7 +280,7 @@ class Follow(QObject):
         for run in given_way:
             self._control.gave_way.emit(called(run))
         error = 100 * relative_error(best.state, session.target)
-        self._say(tr("Following: error {error:.1f} %, still getting better").format(error=error))
+        self._say(tr("Updating: error {error:.1f} %").format(error=error))
 
     def _end(self, design: _Design, _: object) -> None:
         self._take_frame()
@@ -328,7 +310,7 @@ class Follow(QObject):
             self.rest()
 
     def rest(self) -> None:
-        """Design no more until the next edit, and let the control show the document's lens."""
+        """Stop until the next edit, and show the document's lens."""
         self._background.stop()
         self._next = self._waiting = None
         self._rested.stop()
@@ -341,6 +323,9 @@ class Follow(QObject):
             self._wanted, self._control.followed = None, False
             self._control.preview()
             self._say("")
+
+    def _named(self, text: str) -> str:
+        return tr(text, optic=self._document.session.scene.optic.called)
 
     def _say(self, text: str) -> None:
         self._text = text

@@ -20,17 +20,17 @@ _NUMBERED = re.compile(rf"({_RUN}|{_FOLLOWED}) (\d+): ")
 def with_run(
     session: Session, result: Result, budget: int = _BUDGET
 ) -> tuple[Session, list[KeptRun]]:
-    """The session after a run, which is kept."""
+    """Return the session with a result and its kept run, and the displaced runs."""
     return _with_kept(session, result, session.runs, _RUN, budget)
 
 
 def with_followed(
     session: Session, result: Result, budget: int = _BUDGET
 ) -> tuple[Session, list[KeptRun]]:
-    """The session with a lens that live update has designed, which is kept like a run.
+    """The session with a lens of live update, which is kept like a run.
 
-    It replaces the lens that live update had not finished, unless a person has named that one. A
-    lens that is not finished yet drops no other run: where there is no room, it is not kept.
+    It replaces an unfinished lens of live update without a name of its own. An unfinished lens
+    never displaces other runs.
     """
     others = tuple(run for run in session.runs if not _is_passing(run))
     kept, given_way = _with_kept(session, result, others, _FOLLOWED, budget)
@@ -62,7 +62,7 @@ def _is_passing(run: KeptRun) -> bool:
 
 
 def restored(session: Session, run: KeptRun) -> Session:
-    """The session with a kept run's task and lens in place of its own."""
+    """Return the session with task and lens of a kept run."""
     again = session.with_scene(run.scene, run.target)  # for the locks, which hang on the net
     return replace(again, result=run.result, start=None)
 
@@ -86,16 +86,13 @@ def is_named(run: KeptRun) -> bool:
 
 
 def called(run: KeptRun) -> str:
-    """What a run is called in the language of the window; files keep the program's name in English.
-
-    A name that a person gave stays as it is.
-    """
+    """Name of a run in the language of the window; a name given by the user stays."""
     number = _NUMBERED.match(run.name)
     if number is None or is_named(run):
         return run.name
     text = {
         _RUN: tr("Run {number}: {description}"),
-        _FOLLOWED: tr("Followed {number}: {description}"),
+        _FOLLOWED: tr("Live update {number}: {description}"),
     }[number[1]]
     return text.format(number=number[2], description=_description(run.scene))
 

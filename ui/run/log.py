@@ -19,18 +19,14 @@ _TURNS = later(
     {
         ("running", "paused"): "Run paused",
         ("paused", "running"): "Run resumed",
-        ("running", "stopping"): "Stop asked for",
-        ("paused", "stopping"): "Stop asked for",
+        ("running", "stopping"): "Stop requested",
+        ("paused", "stopping"): "Stop requested",
     }
 )
 
 
 class RunLog(QObject):
-    """Listens to the runs of a window.
-
-    Notes on a stage or on the trace are logged when a frame with them is shown, so the log of a run
-    grows with what changes in it, never with its iterations.
-    """
+    """Logs the runs of a window: one entry for each change, not for each iteration."""
 
     def __init__(
         self, document: Document, control: RunControl, tell: Callable[[str], None]
@@ -43,11 +39,7 @@ class RunLog(QObject):
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
         control.gave_way.connect(
-            lambda name: tell(
-                tr("{name} is kept no longer: kept runs would take too much memory").format(
-                    name=name
-                )
-            )
+            lambda name: tell(tr("{name} was removed: memory limit of kept runs").format(name=name))
         )
 
     def _follow(self, state: str) -> None:
@@ -56,7 +48,7 @@ class RunLog(QObject):
             self._last = None
             run = self._document.session.scene.run
             self._tell(
-                tr("Run begins: {name}, method {method}").format(
+                tr("Run started: {name}, method {method}").format(
                     name=self._document.name, method=run.method
                 )
             )
@@ -93,8 +85,8 @@ class RunLog(QObject):
         why = f" ({tr(result.ended)})" if result is not None and result.ended else ""
         self._tell(
             tr(
-                "Run ended{why} after iteration {iteration} of {iterations}, {clock}: "
-                "last loss {loss}, {efficiency:.1f} % {place}"
+                "Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss "
+                "{loss}, {efficiency:.1f} % {place}"
             ).format(
                 why=why,
                 iteration=shot.iteration,

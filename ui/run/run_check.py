@@ -29,11 +29,7 @@ _GUESS = 0.5  # seconds that the first one takes
 
 
 class RunCheck(QObject):
-    """Checks lenses of a run at the ends of its stages, every some seconds, and at its end.
-
-    While the run goes on, one thread traces few rays on the core that the run leaves free; where
-    there is one core alone, none.
-    """
+    """Checks lenses at stage ends, at intervals on an idle core, and at the end of a run."""
 
     figures_changed = Signal(str)
     checked = Signal(object, object)  # CheckedLens, Validation
@@ -61,7 +57,6 @@ class RunCheck(QObject):
         document.session_changed.connect(self._follow_document)
 
     def close(self) -> None:
-        """Wait for the thread; safe to call twice."""
         self._background.close()
 
     def _follow(self, state: str) -> None:
@@ -116,14 +111,14 @@ class RunCheck(QObject):
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = tr("Checked error {error} at {iteration}").format(
+        self._text = tr("Verified error {error} at iteration {iteration}").format(
             error=verified_error(found.verified), iteration=lens.iterations
         )
         self._tell()
         self.checked.emit(lens, found)
 
     def _follow_course(self) -> None:
-        """While a run goes on, say nothing of what is not of its course: see `FrameHistory.add`."""
+        """Drop a check that is not part of the shown history."""
         if self._control.busy and self._latest not in self._control.history.checks:
             self._text = ""
             self._tell()
@@ -139,7 +134,7 @@ class RunCheck(QObject):
 
 
 class BoundOfDesign(QObject):
-    """Finds the bound of each new task in a thread of its own."""
+    """Computes the lower bound of each new task in a thread."""
 
     figures_changed = Signal(str, str)
     failed = Signal(str)
@@ -155,11 +150,10 @@ class BoundOfDesign(QObject):
         document.session_changed.connect(self.follow)
 
     def close(self) -> None:
-        """End the search and wait for its thread; safe to call twice."""
         self._background.close()
 
     def follow(self, session: "Session") -> None:
-        """Look for the bound of another task, unless it is that of the last one."""
+        """Compute the bound of another task."""
         from workbench.extended.bound import Bound  # late: takes long to import
 
         bound, last = Bound(session.scene, session.target), self._task
@@ -183,9 +177,9 @@ def _in_words(bound: "Bound", task: Task) -> tuple[str, str]:
     if allowed is None:
         return "", ""
     return (
-        tr("at best {error}").format(error=percent(bound.relative_l2)),
+        tr("lower bound {error}").format(error=percent(bound.relative_l2)),
         tr(
-            "There can be {bound}; {error} with a source half as wide. This is the "
-            "least relative L2 error, certified; freeform bound tells more."
+            "Certified lower bound of the relative L2 error: {bound}; {error} with a source of "
+            "half the width. Details: freeform bound."
         ).format(bound=bound.short, error=percent(allowed)),
     )

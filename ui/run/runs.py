@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Runs(QObject):
-    """Shows the kept runs, tells which are marked, and does what is asked with them."""
+    """The kept runs: table, comparison, restoring, renaming and deleting."""
 
     compared = Signal(object)  # list of LossCourse
     refused = Signal(str)
@@ -46,19 +46,18 @@ class Runs(QObject):
         self.show()
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
         return {
             "restore_run": lambda: self._with_choice(
-                self.table.restore, tr("Choose one run in View > Runs first.")
+                self.table.restore, tr("Select a run in View > Runs first.")
             ),
             "delete_run": lambda: self._with_choice(
-                self.table.delete, tr("Choose runs in View > Runs first.")
+                self.table.delete, tr("Select runs in View > Runs first.")
             ),
             "compare_runs": self._compare_chosen,
         }
 
     def note_check(self, lens: CheckedLens, found: "Validation") -> None:
-        """Keep what a check says of the lens of a kept run, unless the check failed."""
+        """Store the verified error of a kept run's lens."""
         if found.contradiction:
             return
         for run in self._document.session.runs:
@@ -69,14 +68,13 @@ class Runs(QObject):
             self.comparison.show_figures()
 
     def close(self) -> None:
-        """Wait for the check; safe to call twice."""
         self.check.close()
 
     def _compare_chosen(self) -> None:
         if len(self.table.chosen) == 2:
             self.table.compare()
         else:
-            self.refused.emit(tr("Choose two runs in View > Runs first: Ctrl and a click."))
+            self.refused.emit(tr("Select two runs in View > Runs first (Ctrl+click)."))
 
     def _show_pair(self, pair: tuple[KeptRun, KeptRun]) -> None:
         if self.comparison is None:
@@ -96,7 +94,6 @@ class Runs(QObject):
         return "" if error is None else verified_error(error)
 
     def show(self) -> None:
-        """Show the runs that the document keeps now."""
         session = self._document.session
         self.table.show_runs(session.runs, self._current)
         self._compare()
@@ -128,7 +125,7 @@ class Runs(QObject):
             self._document.change(renamed(session, run, name.strip()), tr("rename run"))
         except Refused as refused:
             self.refused.emit(
-                tr("The run is still called {name}: {reason}").format(
+                tr("The run was not renamed; it is still {name}: {reason}").format(
                     name=called(run), reason=tr(refused.reason)
                 )
             )

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 _GAP = 8  # pixels between two things in a status bar, at most
 
 
-class StatusRoom(QObject):
-    """Makes room for a sentence where figures beside it would cut it off.
+class StatusLayout(QObject):
+    """Shares a status bar between a sentence and figures.
 
-    First they get no wider than they are, which lets them move as they count; then the least
-    important ones are hidden, until the sentence fits.
+    If the sentence does not fit, figures lose their minimum width, then the least important are
+    hidden.
     """
 
     def __init__(
@@ -34,7 +34,7 @@ class StatusRoom(QObject):
         bar.installEventFilter(self)
 
     def share(self) -> None:
-        """Share the bar out among the texts of now, unless a message lies over them."""
+        """Share the bar among the texts, unless a message covers them."""
         if self._bar.currentMessage():
             return
         for figure, width in self._widths.items():
@@ -51,7 +51,6 @@ class StatusRoom(QObject):
             figure.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow the width of the bar."""
         if event.type() == QEvent.Type.Resize:
             self.share()
         return super().eventFilter(watched, event)
@@ -80,7 +79,7 @@ _AT_MOST = later("at most {time} left")
 
 
 class RunStatus:
-    """What goes on at the left of a status bar; progress bar and figures at the right."""
+    """State at the left of a status bar; progress and figures at the right."""
 
     def __init__(self, bar: QStatusBar) -> None:
         self._text = ""  # what goes on
@@ -94,49 +93,46 @@ class RunStatus:
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(
             bar,
-            tr("Iterations done, and how many a second lately"),
+            tr("Finished iterations, and the current rate"),
             tr(_ITERATION).format(done="0000", count="0000", rate=", 00.0/s"),
         )
         self._verified = _passing(
             bar,
             tr(
-                "Relative L2 error of the image after so many iterations of the run, by "
-                "an independent trace with rays that the design never saw; the scatter "
-                "of these rays is left out"
+                "Relative L2 error of the image at this iteration, by the independent check, "
+                "without ray noise"
             ),
         )
         self._check = _passing(
             bar,
             tr(
-                "Relative L2 error of the design on show, by an independent trace with "
-                "rays that the design never saw; the scatter of these rays is left out. "
-                "The log tells more"
+                "Relative L2 error of this design, by the independent check, without ray noise; "
+                "details are in the log"
             ),
         )
         self._bound = _passing(bar, "")
         self._light = _figure(
             bar,
             tr(
-                "How far the image is from the target, as the design sees it (relative "
-                "L2), and how much of the light lands where it is wanted: on the screen, "
-                "or in the far field. Of several images, both are given for each"
+                "Relative L2 error of the image as the optimiser computes it, and the fraction of "
+                "the flux on the receiver; both for each image"
             ),
             tr(_LIGHT).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
         )
         self._loss = _figure(
-            bar, tr("What the design makes as small as it can"), tr(_LOSS).format(loss=_WIDE_LOSS)
+            bar, tr("Loss that the optimiser minimises"), tr(_LOSS).format(loss=_WIDE_LOSS)
         )
         self._elapsed = _figure(bar, tr("Run time"), tr(_ELAPSED).format(time="00:00"))
         self._left = _figure(
             bar,
             tr(
-                "Time left at the pace of the last seconds. Automatic ends sooner when "
-                "nothing improves any more"
+                "Remaining time at the current rate; the automatic method ends sooner without "
+                "further gain"
             ),
             tr(_AT_MOST).format(time="00:00"),
         )
         self._pace = Pace()
-        self._room = StatusRoom(
+        self._layout = StatusLayout(
             bar,
             (self._iteration, self._light, self._loss, self._elapsed, self._left),
             (self._loss, self._elapsed, self._iteration),
@@ -144,23 +140,22 @@ class RunStatus:
 
     @property
     def text(self) -> str:
-        """What is said at the left."""
         return self._state.text()
 
     def show_state(self, text: str) -> None:
-        """Say what goes on; a sentence shown before is of a state that is over."""
+        """Show a state, in place of any sentence."""
         self._text = text
         self._read.stop()
         self._say(text)
 
     def go_on(self, text: str) -> None:
-        """Say how far that is which goes on, once a sentence shown before has been read."""
+        """Show progress, after the reading time of a sentence."""
         self._text = text
         if not self._read.isActive():
             self._say(text)
 
     def tell(self, sentence: str) -> None:
-        """Say something else for the time it takes to read it."""
+        """Show a sentence for its reading time."""
         self._say(sentence)
         self._read.start(_READ_MS)
 
@@ -193,49 +188,45 @@ class RunStatus:
         may_stop = scene.run.method == "auto"
         words = tr(_AT_MOST) if may_stop else tr("{time} left")
         self._left.setText("" if left is None else words.format(time=clock(left)))
-        self._room.share()
+        self._layout.share()
 
     def show_verified(self, figures: str) -> None:
-        """Show what checks say of a run; empty for nothing."""
         self._verified.setText(figures)
         self._verified.setVisible(bool(figures))
-        self._room.share()
+        self._layout.share()
 
     def show_check(self, figures: str) -> None:
-        """Show what a check says of the lens on show; empty for nothing."""
         self._check.setText(figures)
         self._check.setVisible(bool(figures))
-        self._room.share()
+        self._layout.share()
 
     def show_bound(self, figures: str, sentence: str) -> None:
-        """Show what no lens can be better than, the sentence as a tip; empty for nothing."""
+        """Show the lower bound, with a sentence as tip."""
         self._bound.setText(figures)
         self._bound.setToolTip(f"<p>{sentence}</p>")
         self._bound.setVisible(bool(figures))
-        self._room.share()
+        self._layout.share()
 
     def show_nothing(self) -> None:
-        """There is no lens to show figures of."""
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
             figure.clear()
-        self._room.share()
+        self._layout.share()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Grey the figures of a lens that is not the design's any more, and say so."""
+        """Grey the figures of another design."""
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._verified):
             figure.setEnabled(not outdated)
         self._outdated.setVisible(outdated)
-        self._room.share()
+        self._layout.share()
 
     def settle(self) -> None:
-        """The run has ended: nothing is in progress any more."""
         self._progress.hide()
         self._left.clear()
-        self._room.share()
+        self._layout.share()
 
     def _say(self, text: str) -> None:
         self._state.setText(text)
-        self._room.share()
+        self._layout.share()
 
 
 def _progress(bar: QStatusBar) -> QProgressBar:
@@ -290,7 +281,7 @@ def _errors(frame: "Frame") -> list[str]:
 
 
 def clock(seconds: float) -> str:
-    """Minutes and seconds, with hours before them where there are any."""
+    """Format a duration as m:ss or h:mm:ss."""
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -22,27 +22,25 @@ from PySide6.QtWidgets import (
 
 from ui.run.comparison import figures_of, thumbnail_of
 from ui.run.kept_runs import called
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
 
-_NOTHING = later("Each run that ends is kept here, to be compared with others and gone back to.")
+_NOTHING = later("Finished runs are listed here, to compare and restore them.")
 _COLUMNS = later(
     {
-        "Name": (
-            "What the run is called, with its light; a check mark draws its loss "
-            "beside that of this run"
-        ),
-        "Target": "The image that the light should draw: its file, or what it is",
-        "Error": "Relative L2 error of its best result, as the run saw it",
-        "Verified": "Relative L2 error of its result, by an independent trace with other rays",
-        "On screen": "Part of the light that lands on the screen, or in the far field",
+        "Name": ("Name and image of the run; tick it to plot its loss beside that of this run"),
+        "Target": "Target image: file or built-in shape",
+        "Error": "Relative L2 error of the best result, as the optimiser computes it",
+        "Verified": "Relative L2 error of the result, by the independent check",
+        "On screen": "Fraction of the flux on the receiver",
         "Time": "Run time",
-        "Iterations": "Iterations taken, those of runs that it continued included",
+        "Iterations": "Iterations, including those of continued runs",
         "Net": "Numbers of control points along x and y",
-        "Method": "How the result was searched for",
-        "Loss": "Loss of its best result, as the run saw it",
+        "Method": "Design method",
+        "Loss": "Loss of the best result",
         "Ended": "Why the run ended",
     }
 )
@@ -54,7 +52,7 @@ _VERIFIED = list(_COLUMNS).index("Verified")
 
 
 class RunTable(QWidget):
-    """Shows runs and tells what a person wants with them."""
+    """Table of the kept runs."""
 
     compared = Signal()
     renamed = Signal(object, str)  # KeptRun, str
@@ -97,43 +95,38 @@ class RunTable(QWidget):
         delete.triggered.connect(self.delete)
         self.table.addAction(delete)
         self._restore = _button(
-            tr("Restore"), tr("Give the design this run's task and result"), self.restore
+            tr("Restore"), tr("Restore task and result of this run"), self.restore
         )
-        self._delete = _button(tr("Delete"), tr("Forget the chosen runs"), self.delete)
+        self._delete = _button(tr("Delete"), tr("Delete the selected runs"), self.delete)
         self._compare = _button(
             tr("Compare"),
-            tr("See two chosen runs beside each other: light, figures, fields"),
+            tr("Compare irradiance, figures and fields of two selected runs"),
             self.compare,
         )
         self._editable = True
-        buttons = QHBoxLayout()
-        buttons.setContentsMargins(6, 4, 6, 4)
-        buttons.setSpacing(6)
-        buttons.addWidget(self._restore)
-        buttons.addWidget(self._delete)
-        buttons.addWidget(self._compare)
-        buttons.addStretch(1)
-        column_of_all = QVBoxLayout(self)
-        column_of_all.setContentsMargins(0, 0, 0, 0)
-        column_of_all.setSpacing(0)
-        column_of_all.addWidget(self._hint, 1)
-        column_of_all.addWidget(self.table, 1)
-        column_of_all.addLayout(buttons)
+        buttons = filled(
+            QHBoxLayout(),
+            self._restore,
+            self._delete,
+            self._compare,
+            STRETCH,
+            margins=(6, 4, 6, 4),
+            spacing=6,
+        )
+        filled(QVBoxLayout(self), (self._hint, 1), (self.table, 1), buttons, margins=0, spacing=0)
         self.show_runs((), None)
 
     @property
     def marked(self) -> tuple[KeptRun, ...]:
-        """The runs whose loss shall be drawn."""
         return tuple(run for run in self._runs if id(run.result) in self._marked)
 
     @property
     def chosen(self) -> tuple[KeptRun, ...]:
-        """The runs of the selected lines."""
         rows = {index.row() for index in self.table.selectedIndexes()}
         return tuple(self._runs[row] for row in sorted(rows))
 
     def show_runs(self, runs: Sequence[KeptRun], current: KeptRun | None) -> None:
-        """Show runs; the one whose lens is the design's stands out."""
+        """Show runs, the current one in bold."""
         stays = self.table.currentRow()
         self._runs = tuple(runs)
         there = {id(run.result) for run in runs}
@@ -150,7 +143,6 @@ class RunTable(QWidget):
         self._show_possible()
 
     def show_verified(self) -> None:
-        """Show what checks say by now."""
         with QSignalBlocker(self.table):
             for row, run in enumerate(self._runs):
                 item = self.table.item(row, _VERIFIED)
@@ -169,17 +161,14 @@ class RunTable(QWidget):
         self._show_possible()
 
     def restore(self) -> None:
-        """Tell that the chosen run shall be the design's."""
         if self._editable and len(self.chosen) == 1:
             self.restored.emit(self.chosen[0])
 
     def delete(self) -> None:
-        """Tell that the chosen runs shall be forgotten."""
         if self._editable and self.chosen:
             self.deleted.emit(self.chosen)
 
     def compare(self) -> None:
-        """Tell that the two chosen runs shall be shown beside each other, with their losses."""
         if len(self.chosen) == 2:
             self.pair_chosen.emit(self.chosen)
 
@@ -190,7 +179,7 @@ class RunTable(QWidget):
         font = name.font()
         font.setBold(is_current)
         name.setFont(font)
-        own = tr("The one of the design")
+        own = tr("Run of the current lens")
         name.setToolTip(f"{name.text()}\n{own}" if is_current else name.text())
         self.table.setItem(row, 0, name)
         for column, (title, text) in enumerate(figures_of(run, self._verified(run)), start=1):
@@ -240,9 +229,7 @@ class _NameDelegate(QStyledItemDelegate):
 def _say_too_long(editor: QLineEdit) -> None:
     below = editor.mapToGlobal(editor.rect().bottomLeft())
     QToolTip.showText(
-        below,
-        tr("A name has at most {count} characters").format(count=LONGEST_NAME),
-        editor,
+        below, tr("A name has at most {count} characters").format(count=LONGEST_NAME), editor
     )
 
 

@@ -1,11 +1,8 @@
-"""A mailbox that holds the latest value and no other.
+"""The side of a run in its own thread, which touches no widget.
 
-1. A job is complete in itself: session, gate, mailbox. Stopping or replacing one can neither hit
-   the next nor mix their frames.
-2. A frame is made only once the window has taken the last one: what nobody sees is not computed.
-   Before a pause and at the end of a run it is made in any case.
-   Of a run that is given up nobody looks at the last one.
-3. A paused run waits at the gate's condition, which stopping wakes; it never polls.
+1. A job has its own session, gate and mailbox: stopping one job does not affect the next.
+2. A frame is computed once the window has taken the previous one, before a pause, and at the end.
+3. A paused run waits at the gate's condition, without polling.
 """
 
 from collections.abc import Callable, Generator
@@ -28,7 +25,7 @@ Value = TypeVar("Value")
 
 
 class Mailbox(Generic[Value]):
-    """Hands values from one thread to another; a value that was not taken is replaced."""
+    """Passes the latest value between threads."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -36,12 +33,11 @@ class Mailbox(Generic[Value]):
 
     @property
     def empty(self) -> bool:
-        """Whether the last value was taken, which is how its reader asks for another."""
+        """Whether the last value was taken: its reader wants another."""
         with self._lock:
             return self._value is None
 
     def put(self, value: Value) -> None:
-        """Leave a value in the place of the one before."""
         with self._lock:
             self._value = value
 
@@ -56,7 +52,7 @@ Generate = Callable[["Scene", Array, ControlHeights | None, Locks], Generator[Sn
 
 
 class Gate:
-    """Lets a run through, holds it, or turns it away."""
+    """Pauses and stops a run."""
 
     def __init__(self) -> None:
         self._changed = Condition()
@@ -65,7 +61,6 @@ class Gate:
 
     @property
     def held(self) -> bool:
-        """Whether the next pass has to wait."""
         return self._held
 
     @property
@@ -75,7 +70,7 @@ class Gate:
 
     @property
     def given_up(self) -> bool:
-        """Whether nobody wants what the run has not shown yet."""
+        """Whether later frames of the run are unwanted."""
         return self._given_up
 
     def hold(self) -> None:
@@ -84,19 +79,18 @@ class Gate:
             self._held = True
 
     def release(self) -> None:
-        """Let a waiting run go on."""
         with self._changed:
             self._held = False
             self._changed.notify_all()
 
     def stop(self) -> None:
-        """Turn the run away at its next `passes`, also if it waits there now."""
+        """End the run at its next `passes`, also while it waits there."""
         with self._changed:
             self._stopped = True
             self._changed.notify_all()
 
     def give_up(self) -> None:
-        """Turn the run away as soon as it can be left, since another one is to begin."""
+        """End the run as soon as possible, for another one."""
         self._given_up = True
         self.stop()
 
@@ -126,12 +120,12 @@ class RunJob:
 
 
 def frame_of(session: "Session", result: Result) -> Frame:
-    """The lens of a session with the light that it is known to make."""
+    """Return the frame of a session's result."""
     return make_frame(session, _as_snapshot(result, session.scene.run), History(result))
 
 
 def work(job: RunJob, task: Task) -> None:
-    """Do a job; meant for a thread. Reports that it has to wait for what it traces with."""
+    """Do a job in a thread; reports if it has to wait for kernels."""
     if job.preview:
         _show(job)
     else:
@@ -190,7 +184,7 @@ def _snapshots(job: RunJob) -> Generator[Snapshot, None, str]:
 
 
 def _post(job: RunJob, snapshot: Snapshot) -> None:
-    """Leave a frame of a run, after the best lens up to it: whoever sees the one has the other."""
+    """Post the best lens, then the frame: a reader of the frame has both."""
     best = job.history.result()
     if best is not None:
         job.best.put(best)

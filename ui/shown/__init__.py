@@ -1,1 +1,1 @@
-"""Shown data: frames of a run or a preview, and their history."""
+"""Frames of a run or a preview, and their history."""

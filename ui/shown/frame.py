@@ -35,11 +35,10 @@ class Frame:
 
     @property
     def state(self) -> "LensState":
-        """The lens of this moment and its light."""
         return self.snapshot.state
 
     def of_image(self, number: int) -> "Frame":
-        """The frame as if one of the scene's images were the only one; 0 is the first."""
+        """Return the frame of one image of the scene."""
         if len(self.session.scene.images) == 1:
             return self
         session = self.session.of_image(number)
@@ -48,7 +47,7 @@ class Frame:
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
-    """Sample the faces and follow the rays of a snapshot; meant for the worker's thread."""
+    """Sample the faces and trace the rays of a snapshot; for the worker's thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.geometry.surface import sample_faces
     from workbench.optics.paths import ray_paths
@@ -67,7 +66,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
 
 
 def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
-    """Evenly spread ones of `RAYS` × `RAYS` rays, the middle one among them; or none."""
+    """Return an even selection of `RAYS` × `RAYS` rays, with the middle one; or none."""
     chosen = np.zeros((RAYS, RAYS), dtype=bool)
     if count:
         step = RAYS // count
@@ -77,7 +76,7 @@ def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
 
 
 def same_task(one: "Session", other: "Session") -> bool:
-    """Whether pictures of both differ in nothing but the state of the run."""
+    """Whether both sessions have the same task, apart from the run."""
     if one is other:
         return True
     same = one.scene.model_copy(update={"run": other.scene.run}) == other.scene
@@ -96,11 +95,7 @@ def same_light(one: Frame, other: Frame) -> bool:
 
 
 def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
-    """Whether a lens makes the same light for both tasks, and is asked for the same image.
-
-    By value, since files share nothing. How a lens is searched for changes nothing of its light,
-    and regions only tell of it.
-    """
+    """Whether both tasks give a lens the same image and target; run and regions are ignored."""
     beside = {"run": other.scene.run, "regions": other.scene.regions}
     return one.scene.model_copy(update=beside) == other.scene and (
         one.target is other.target or np.array_equal(one.target, other.target)
@@ -108,7 +103,7 @@ def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
 
 
 def shows(frame: Frame, session: "Session") -> bool:
-    """Whether a frame is of a design as it is: the task, and the lens where the design has one."""
+    """Whether a frame shows the task of a session, and its lens if it has one."""
     lens = session.result
     return lit_alike(frame.session, session) and (
         lens is None or lens.state.heights == frame.state.heights
@@ -123,8 +118,7 @@ def iterations_before(frame: Frame) -> int:
 def image_titles(*scenes: "Scene") -> list[str]:
     """Return number and position of each image of the scenes.
 
-    A scene with fewer images repeats its last one. Positions that differ between scenes are joined
-    by an arrow.
+    A scene with fewer images repeats its last one; differing positions are joined by an arrow.
     """
     most = max(len(scene.receivers) for scene in scenes)
     titles = []

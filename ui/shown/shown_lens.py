@@ -32,9 +32,8 @@ class _KeptCourse:
 class FrameHistory(QObject):
     """Frames of a run and of its continuations, including the first and the latest.
 
-    When frames exceed the memory ``budget``, every second one is dropped and the interval is
-    doubled: the history stays evenly spaced. A history is kept as long as its result lives, and
-    `show` restores it: undo and redo of a run restore its history.
+    Beyond the memory budget every second frame is dropped. A history lives as long as its result,
+    and `show` restores it after undo and redo.
     """
 
     changed = Signal()
@@ -49,7 +48,6 @@ class FrameHistory(QObject):
 
     @property
     def frames(self) -> "Sequence[Frame]":
-        """Frames in the order of iterations."""
         return self._frames
 
     @property
@@ -78,7 +76,6 @@ class FrameHistory(QObject):
         self.changed.emit()
 
     def add_check(self, check: "Verified") -> None:
-        """Add a check of a lens of the shown history."""
         self._checks += (check,)
         self.changed.emit()
 
@@ -90,7 +87,6 @@ class FrameHistory(QObject):
             self.show(session)
 
     def keep(self, result: Result) -> None:
-        """Keep the shown history as that of a result."""
         self._keep(result.losses, tuple(self._frames), self._checks)
 
     def branch(self, frame: "Frame") -> None:
@@ -160,7 +156,7 @@ class FrameView(Protocol):
 
 
 class ShownLens(QObject):
-    """Passes frames from their producers to the views; neither knows the other."""
+    """Passes frames from their producers to the views."""
 
     frame_changed = Signal(object)
     emptied = Signal(object)

@@ -1,16 +1,10 @@
-"""Derivative maps as views ask for them, in a thread beside the window.
-
-1. A map is computed only for eyes: never while the view is hidden.
-2. It follows the lens when it rests: while a run brings frame after frame, a map of each would
-   take the run's time and be of the past when it is there.
-"""
+"""Derivative of the irradiance with respect to one control height."""
 
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, QTimer, Signal
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
 from ui.background import Background, Task, sentence_of
@@ -47,18 +41,6 @@ class DerivativeRequest:
     point: "ControlPoint"
 
 
-def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
-    """Return the map of a request; called in a thread."""
-    # Late: torch comes with it, and the window shows before that.
-    from workbench.analysis.derivatives import irradiance_derivative
-
-    point = request.point
-    return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)
-
-
-_REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
-
-
 class DerivativeView(PlotView, ComputingView):
     """Choice of a control point, its derivative map, and the sum of the map."""
 
@@ -73,8 +55,6 @@ class DerivativeView(PlotView, ComputingView):
         self._background.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
         self._of: DerivativeRequest | None = None  # what the map answers
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._ask_for_map)
         self._faces = FaceChoice()
         self._boxes = (_index_box("x"), _index_box("y"))
         self._place = QLabel()
@@ -88,12 +68,10 @@ class DerivativeView(PlotView, ComputingView):
 
     @property
     def point(self) -> ControlPoint:
-        """The chosen control point."""
         along_x, along_y = self._boxes
         return ControlPoint(self._faces.face, (along_x.value(), along_y.value()))
 
     def choose(self, point: ControlPoint) -> None:
-        """Choose another control point."""
         with QSignalBlocker(self._faces):
             self._faces.choose(point.face)
         self._offer()
@@ -102,13 +80,7 @@ class DerivativeView(PlotView, ComputingView):
                 box.setValue(number)
         self._want()
 
-    def close_thread(self) -> None:
-        """Wait for the last computation; safe to call twice."""
-        self._rest.stop()
-        self._background.close()
-
     def show_frame(self, frame: "Frame") -> None:
-        """Store another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
             self._faces.offer(frame.session.scene.optic)
@@ -118,23 +90,17 @@ class DerivativeView(PlotView, ComputingView):
         self._want()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design that cannot be traced."""
         self._map = None
         super().show_nothing(session)
         self._want_nothing()
         self._place.clear()
         self._sum.clear()
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """End the thread with the view."""
-        self.close_thread()
-        super().closeEvent(event)
-
     def _row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
         name = QLabel(tr("Control point"))
-        name.setToolTip(tr("Choose it here, or click it in the 3D scene."))
+        name.setToolTip(tr("Choose a control point here, or click it in the 3D scene."))
         row.addWidget(name)
         row.addWidget(self._faces)
         for box in self._boxes:
@@ -165,16 +131,15 @@ class DerivativeView(PlotView, ComputingView):
         self._show_veil()
 
     def _want_nothing(self) -> None:
-        self._background.cancel()
-        self._rest.stop()
+        super()._want_nothing()
         self.chosen.emit(None)
 
-    def _ask_for_map(self) -> None:
+    def _compute(self) -> None:
         frame = self._frame
         assert frame is not None
         request = DerivativeRequest(frame.session.scene, frame.state.heights, self.point)
         self._sum.setText(tr("Computing…"))
-        self._background.begin(partial(derivative, request), request)
+        self._background.begin(partial(_derivative, request), request)
 
     def _take(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
         self._map, self._of = found, request
@@ -197,7 +162,7 @@ class DerivativeView(PlotView, ComputingView):
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._map is None:
-            return tr("There is no map of this point yet.")
+            return tr("The map is not computed yet.")
         return super()._why_empty(frame)
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
@@ -232,3 +197,11 @@ def _sum(found: "DerivativeMap", unit: str) -> str:
     return tr("Sum: flux on the screen changes by {sum} per {unit}{part}").format(
         sum=written(found.sum, digits=2), unit=unit, part=part
     )
+
+
+def _derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.analysis.derivatives import irradiance_derivative
+
+    point = request.point
+    return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)

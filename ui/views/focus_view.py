@@ -1,8 +1,6 @@
-"""Traces of a lens to screens elsewhere, for threads.
+"""Through focus: the irradiance on a screen before or behind the scene's.
 
-1. It is traced anew by other means than the optimiser's, only for eyes: never while hidden.
-2. It follows the lens when it rests, as the derivative does. A slider that moves is answered with
-   few rays at once, and with many when it stays.
+A moved slider is answered with few rays at once, and with many when it rests.
 """
 
 from dataclasses import dataclass
@@ -10,16 +8,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QResizeEvent
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
 
 from ui.background import Background, Task, other_cores, sentence_of
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageLink
-from ui.views.light_images import LightContent, LightImageView
+from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
 from ui.views.view import ComputingView, View
+from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.plot_words import translate
 from ui.words import later, tr
@@ -39,7 +38,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class FocusRequest:
-    """What the light of a lens is like on screens elsewhere."""
+    """Request for traces to screens at other distances."""
 
     session: "Session"
     heights: "ControlHeights"
@@ -47,11 +46,7 @@ class FocusRequest:
 
 
 def trace_through_focus(request: FocusRequest, task: Task) -> None:
-    """Answer a request; meant for a thread.
-
-    Reports for each screen its z and what the light is like there, a `Validation` or None for no
-    light.
-    """
+    """Trace a request; report each z with its `Validation`, or None without flux."""
     for z, rays in request.traces:
         found = _light_at(request, z, rays, task)
         if task.stopped:
@@ -65,12 +60,7 @@ def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> "Valida
 
     session = request.session.of_image(0)  # about whose screen the light is followed
     steps = validating(
-        session.scene,
-        session.target,
-        request.heights,
-        rays,
-        screen_z=z,
-        threads=other_cores(),
+        session.scene, session.target, request.heights, rays, screen_z=z, threads=other_cores()
     )
     try:
         return task.follow(steps)
@@ -97,12 +87,10 @@ class FocusCurveView(View):
         self._curve: FocusCurve | None = None
 
     def sizeHint(self) -> QSize:
-        """Some lines of text high."""
         return QSize(super().sizeHint().width(), _LINES * self.fontMetrics().lineSpacing())
 
     @property
     def errors(self) -> list[tuple[float, float]]:
-        """Shown distances and errors."""
         return sorted(self._errors.items())
 
     def begin(self, session: "Session", ends: tuple[float, float]) -> None:
@@ -111,12 +99,10 @@ class FocusCurveView(View):
         self.show_design(session)
 
     def add(self, z: float, error: float) -> None:
-        """Add an error."""
         self._errors[z] = error
         self._ask()
 
     def mark(self, z: float) -> None:
-        """Mark the shown distance."""
         self._z = z
         self._ask()
 
@@ -132,36 +118,26 @@ class FocusCurveView(View):
 
 
 _TRACE = later("trace through focus")
-_REST_MS = 250  # longer than between two frames of a run
 _FEW, _MANY = 200_000, 4_000_000  # rays
-_NO_DISTANCE = later("A far field is at no distance: there is nothing to focus.")
+_NO_DISTANCE = later("A far field has no distance to vary.")
 _NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
 _STEP, _PAGE = 5, 50
 _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
-_ROOMY = 3.5  # times the height of the curve; below that, it takes the place of the image
-
-
-class _TracedLight:
-    light: Array | None = None
-    heights: "ControlHeights | None" = None  # of the lens
-
-    def of(self, frame: "Frame") -> Array:
-        return np.zeros_like(frame.session.target) if self.light is None else self.light
+_TALL = 3.5  # times the height of the curve; below that, it takes the place of the image
 
 
 class FocusView(LightImageView, ComputingView):
     """A slider over screen distances, and the irradiance there."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
-        self._traced = _TracedLight()
-        super().__init__(LightContent(self._traced.of), link)
+        super().__init__(link)
+        self._traced: Array | None = None
+        self._heights: ControlHeights | None = None  # of the traced lens
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
         for traces in (self._image_of, self._curve_of):
             traces.failed.connect(lambda _, error: self._tell(sentence_of(error, tr(_TRACE))))
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._trace_anew)
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setRange(_NEAREST, _FARTHEST)
         self._slider.setValue(_SCREEN)
@@ -170,26 +146,20 @@ class FocusView(LightImageView, ComputingView):
         self._slider.setAccessibleName(tr("Distance of the screen"))
         self._slider.setToolTip(
             tr(
-                "Look at the light before or behind the screen: half to one and a half "
-                "times its distance. The scene stays as it is"
+                "Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is "
+                "unchanged"
             )
         )
         self._slider.valueChanged.connect(self._slide)
         self._place = WrappedLabel()
         self._back = QPushButton(tr("At screen"))
-        self._back.setToolTip(tr("Go back to the distance of the scene's screen"))
+        self._back.setToolTip(tr("Return to the distance of the screen"))
         self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
         self._more = QPushButton(tr("Curve"))
-        self._more.setToolTip(
-            tr("Trace the light to many distances and draw the error against them")
-        )
+        self._more.setToolTip(tr("Plot the error against the distance"))
         self._more.setCheckable(True)
         self._more.toggled.connect(self._show_curve)
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 0, 6, 2)
-        row.addWidget(self._slider, 1)
-        row.addWidget(self._back)
-        row.addWidget(self._more)
+        row = filled(QHBoxLayout(), (self._slider, 1), self._back, self._more, margins=(6, 0, 6, 2))
         self._place.setContentsMargins(6, 0, 6, 4)
         self._curve = FocusCurveView()
         self._curve.hide()
@@ -206,7 +176,6 @@ class FocusView(LightImageView, ComputingView):
         return self._z_of(self._slider.value())
 
     def show_frame(self, frame: "Frame") -> None:
-        """Store another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
@@ -214,27 +183,14 @@ class FocusView(LightImageView, ComputingView):
         self._want()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design that cannot be traced."""
         self._want_nothing()
         self._forget()
         super().show_nothing(session)
         self._place.clear()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show image and curve if there is space for both."""
         super().resizeEvent(event)
         self._share()
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """End the threads with the view."""
-        self.close_threads()
-        super().closeEvent(event)
-
-    def close_threads(self) -> None:
-        """Cancel traces and wait for them; safe to call twice."""
-        self._want_nothing()
-        self._image_of.close()
-        self._curve_of.close()
 
     def _want(self) -> None:
         at_a_distance = self._at_a_distance(self._frame)
@@ -244,16 +200,11 @@ class FocusView(LightImageView, ComputingView):
             self._want_nothing()
             self._place.setText(tr(_NO_DISTANCE))
         elif self._seen():
-            self._tell(tr("traced when the design rests…"))
+            self._tell(tr("computed when the design rests…"))
             self._rest.start()
 
-    def _want_nothing(self) -> None:
-        self._rest.stop()
-        self._image_of.cancel()
-        self._curve_of.cancel()
-
     def _forget(self) -> None:
-        self._traced.light = None
+        self._traced = None
         self._image_of.cancel()
         self._curve_of.cancel()
 
@@ -261,7 +212,10 @@ class FocusView(LightImageView, ComputingView):
         if self._seen() and self._at_a_distance(self._frame):
             self._trace()
 
-    def _trace_anew(self) -> None:
+    def _shown_array(self, frame: "Frame") -> Array:
+        return np.zeros_like(frame.session.target) if self._traced is None else self._traced
+
+    def _compute(self) -> None:
         self._trace()
         self._trace_curve()
 
@@ -277,11 +231,11 @@ class FocusView(LightImageView, ComputingView):
     def _take(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         _, found = traced
         if found is None:
-            self._traced.light = np.zeros_like(request.session.target)
-            self._traced.heights = request.heights
-            self._tell(tr("no light arrives there"))
+            self._traced = np.zeros_like(request.session.target)
+            self._heights = request.heights
+            self._tell(tr("no flux arrives there"))
         else:
-            self._traced.light, self._traced.heights = found.irradiance, request.heights
+            self._traced, self._heights = found.irradiance, request.heights
             arrives = tr("{part:.1f} % of the light").format(part=100 * found.efficiency)
             self._tell(
                 tr("error {error}, {light}").format(error=verified_error(found), light=arrives)
@@ -290,10 +244,9 @@ class FocusView(LightImageView, ComputingView):
         self._ask()
 
     def _is_behind(self) -> bool:
-        frame, traced = self._frame, self._traced
-        if frame is None or traced.light is None:
+        if self._frame is None or self._traced is None:
             return False
-        return traced.heights != frame.state.heights
+        return self._heights != self._frame.state.heights
 
     def _tell(self, what: str) -> None:
         assert self._frame is not None
@@ -308,8 +261,8 @@ class FocusView(LightImageView, ComputingView):
             self._trace_curve()
 
     def _share(self) -> None:
-        roomy = self.height() > _ROOMY * self._curve.sizeHint().height()
-        self._canvas.setVisible(roomy or not self._more.isChecked())
+        fits = self.height() > _TALL * self._curve.sizeHint().height()
+        self._canvas.setVisible(fits or not self._more.isChecked())
 
     def _trace_curve(self) -> None:
         self._curve_of.cancel()
@@ -341,6 +294,6 @@ class FocusView(LightImageView, ComputingView):
     def _why_empty(self, frame: "Frame | None") -> str:
         if not self._at_a_distance(frame):
             return tr(_NO_DISTANCE)
-        if frame is not None and self._traced.light is None:
-            return tr("The light there is traced when the design rests.")
+        if frame is not None and self._traced is None:
+            return tr("Computed when the design rests.")
         return super()._why_empty(frame)

@@ -18,7 +18,7 @@ Line = tuple[Place, Place]
 
 
 class ImageLink(QObject):
-    """Keeps images of the same screen in step."""
+    """Shared state of the images of a receiver."""
 
     changed = Signal()
     pointed = Signal(object)  # tuple[float, float] or None
@@ -39,7 +39,6 @@ class ImageLink(QObject):
         self.number = 0  # of the scene's image that is seen
 
     def show_part(self, part: Part | None) -> None:
-        """See another part."""
         self._set("part", part)
 
     def show_pin(self, place: Place | None) -> None:
@@ -76,11 +75,10 @@ class ImageLink(QObject):
         self._set("colours", colours)
 
     def show_image(self, number: int) -> None:
-        """See another one of the scene's images; 0 is the first."""
         self._set("number", number)
 
     def number_in(self, scene: "Scene") -> int:
-        """Which image of a scene is seen: the last one of a scene that has fewer."""
+        """Return the index of the shown image; the last one of a scene with fewer."""
         return min(self.number, len(scene.images) - 1)
 
     def _set(self, name: str, value: object) -> None:
@@ -96,7 +94,7 @@ class ImageChoice(QComboBox):
         super().__init__()
         self._link = link
         self.setAccessibleName(tr("Image that is shown"))
-        self.setToolTip(tr("Which of the scene's images is shown"))
+        self.setToolTip(tr("Choose the image to show"))
         self.activated.connect(link.show_image)
         self.hide()
 

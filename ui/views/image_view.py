@@ -1,10 +1,10 @@
 """View of values over a rectangle, with shared zoom and read-out.
 
-The wheel zooms about the pointer, dragging pans, a double click shows everything. Keys: + and −
-zoom, arrows pan, Home shows everything.
+Wheel, + and − zoom; dragging and arrows pan; a double click or Home shows everything.
 """
 
-from typing import TYPE_CHECKING, Any, Protocol
+from abc import abstractmethod
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
@@ -12,8 +12,9 @@ from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
 
 from ui.views.image_link import ImageLink, Part, Place
-from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
+from ui.views.tools import ARROWS, COMMANDS, ZOOMS
+from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Extent, pixel_at
@@ -29,38 +30,20 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _NARROWEST = 200  # pixels; less would be labels alone
-_BESIDE = 6  # as narrow, that a screen has room for
+_BESIDE = 6  # as narrow, images that fit on a screen
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake
 _STEP = 0.1  # of what is seen, for an arrow
 
 
-class ImageContent(Protocol):
-    """Content of an `ImageView`."""
-
-    def extent(self, session: "Session") -> Extent:
-        """Rectangle of the image."""
-
-    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Add an empty image to axes; return the artists that change."""
-
-    def change(self, frame: "Frame") -> bool:
-        """Update the image; return whether more than its artists changed."""
-
-    def values(self, frame: "Frame") -> Array:
-        """Values of the image, shape (n_y, n_x)."""
-
-    def unit(self, session: "Session") -> str:
-        """Unit of the values."""
-
-
 class ImageView(PlotView):
     """Shows an image, and its value under the pointer."""
 
-    def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
+    _image: Any  # of workbench.pictures: artists, update(array), values
+
+    def __init__(self, link: ImageLink | None = None) -> None:
         super().__init__()
-        self._content = content
         self.setMinimumWidth(min(_NARROWEST, self.screen().availableSize().width() // _BESIDE))
         self._link = link or ImageLink(self)
         self._axes: Axes | None = None
@@ -73,9 +56,7 @@ class ImageView(PlotView):
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._readout.setAccessibleName(tr("Value under the pointer"))
         self._readout.resized.connect(self._read)
-        self._bottom = QHBoxLayout()
-        self._bottom.setContentsMargins(6, 0, 6, 2)
-        self._bottom.addWidget(self._readout, 1)
+        self._bottom = filled(QHBoxLayout(), (self._readout, 1), margins=(6, 0, 6, 2))
         self._box.addLayout(self._bottom)
         self._link.changed.connect(self._ask)
         self._link.pointed.connect(self._point)
@@ -87,13 +68,11 @@ class ImageView(PlotView):
         canvas.mpl_connect("axes_leave_event", lambda _: self._leave())
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design without an image."""
         self._values = None
         super().show_nothing(session)
         self._read()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Zoom and pan by keys."""
         if self._shown is None or event.modifiers() & COMMANDS:
             super().keyPressEvent(event)
             return
@@ -112,17 +91,28 @@ class ImageView(PlotView):
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         before = self._shown
-        extent = self._content.extent
-        if before is not None and extent(before).bounds != extent(session).bounds:
+        if before is not None and self._extent(before).bounds != self._extent(session).bounds:
             self._link.show_part(None)
-        self._axes = axes
-        return self._content.begin(axes, session)
+        self._axes, self._image = axes, self._new_image(axes, session)
+        return list(self._image.artists)
 
     def _change(self, frame: "Frame") -> bool:
-        everything = self._content.change(frame)
-        self._values = self._content.values(frame)
+        everything = bool(self._image.update(self._shown_array(frame)))
+        self._values = self._image.values
         self._read()
         return everything
+
+    @abstractmethod
+    def _extent(self, session: "Session") -> Extent: ...
+
+    @abstractmethod
+    def _unit(self, session: "Session") -> str: ...
+
+    @abstractmethod
+    def _new_image(self, axes: "Axes", session: "Session") -> Any: ...
+
+    @abstractmethod
+    def _shown_array(self, frame: "Frame") -> Array: ...
 
     def _adapt(self) -> bool:
         axes, part = self._axes, self._part()
@@ -154,16 +144,16 @@ class ImageView(PlotView):
         if self._shown is None or self._values is None:
             self._readout.clear()
             return
-        extent, pixel = self._content.extent(self._shown), None
+        extent, pixel = self._extent(self._shown), None
         if self._pointed is not None:
             x, y = self._pointed
             pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is None:
             self._readout.say(*self._at_rest(self._shown))
         else:
-            value = written(self._values[pixel], self._content.unit(self._shown))
+            value = written(self._values[pixel], self._unit(self._shown))
             if np.isnan(self._values[pixel]):
-                value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
+                value = tr("outside the {optic}", optic=self._shown.scene.optic.called)
             whole = tr("{value} at {x}, {y}").format(
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
@@ -238,15 +228,15 @@ class ImageView(PlotView):
 
     def _whole(self) -> Part:
         assert self._shown is not None
-        return self._content.extent(self._shown).bounds
+        return self._extent(self._shown).bounds
 
 
 class _Readout(QLabel):
     resized = Signal()
 
     def say(self, *texts: str) -> None:
-        room, wide = self.width(), self.fontMetrics().horizontalAdvance
-        self.setText(next((text for text in texts if wide(text) <= room), texts[-1]))
+        width, wide = self.width(), self.fontMetrics().horizontalAdvance
+        self.setText(next((text for text in texts if wide(text) <= width), texts[-1]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

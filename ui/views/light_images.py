@@ -1,7 +1,7 @@
 """Images on the receiver: irradiance, target and error.
 
-A click pins a place; dragging with Shift, or with the tool in its bar, draws a line. By keys:
-Enter pins the middle of what is seen. While regions are marked, `RegionTool` has the mouse.
+A click or Enter pins a point; Shift and drag, or the line tool, draws a line. `RegionTool` takes
+the mouse while regions are marked.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QToolButton
 
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageChoice, ImageLink, Place
-from ui.views.image_view import ImageContent, ImageView
+from ui.views.image_view import ImageView
 from ui.views.region_tool import RegionMarks, RegionTool
 from ui.widgets import theme
-from ui.words import begun, later, tr
+from ui.words import capitalised, later, tr
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
@@ -23,7 +23,7 @@ from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradi
 from workbench.scene.viewing import inverted, pixel_side, side_in_words
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -39,23 +39,11 @@ _CROSS, _ARROW = Qt.CursorShape.CrossCursor, Qt.CursorShape.ArrowCursor
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
-class OnScreen:
-    """Content of an image on the receiver."""
-
-    def extent(self, session: "Session") -> Extent:
-        """The whole receiver."""
-        return Extent.of_receiver(session.scene)
-
-    def unit(self, session: "Session") -> str:
-        """Lux or candela, or relative flux per area or solid angle."""
-        return light_unit(session.scene).short
-
-
 class ScreenImageView(ImageView):
     """Image of the receiver, with the marks of cross-sections."""
 
-    def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
-        super().__init__(content, link)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__(link)
         self._marks: list[Any] = []
         self._regions: RegionMarks | None = None
         self._draws = False  # a line, with this drag
@@ -63,10 +51,7 @@ class ScreenImageView(ImageView):
         self._line_tool = self._add_tool(
             "cut-line",
             tr("Draw a line"),
-            tr(
-                "Drag across an image to draw the line of a cross-section; Shift and "
-                "drag does so too"
-            ),
+            tr("Drag across an image to draw the line of a cross-section; or use Shift and drag"),
         )
         self._line_tool.toggled.connect(self._link.set_drawing)
         self._hand = RegionTool(self._link)
@@ -76,6 +61,12 @@ class ScreenImageView(ImageView):
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         number = self._number(session)
         super()._draw(session.of_image(number), frame and frame.of_image(number))
+
+    def _extent(self, session: "Session") -> Extent:
+        return Extent.of_receiver(session.scene)
+
+    def _unit(self, session: "Session") -> str:
+        return light_unit(session.scene).short
 
     def _number(self, session: "Session") -> int:
         self._choice.show_scene(session.scene)
@@ -95,7 +86,7 @@ class ScreenImageView(ImageView):
 
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
         scene = session.scene
-        side = begun(tr(side_in_words(scene, pixel_side(scene))))
+        side = capitalised(tr(side_in_words(scene, pixel_side(scene))))
         if not inverted(scene):
             return side, ""
         return tr("{side}: mirror-inverted").format(side=side), side, ""
@@ -196,65 +187,42 @@ class ScreenImageView(ImageView):
         return near * (right - left) / box.width, near * (top - bottom) / box.height
 
 
-class LightContent(OnScreen):
-    """Irradiance or intensity, on a scale that follows the target."""
-
-    image: IrradianceImage
-
-    def __init__(self, values: "Callable[[Frame], Array]", name: str = "") -> None:
-        self._name, self._light = name, values
-        self._look = (False, "")  # logarithmic, colours
-
-    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Begin an empty image with the current scale and colours."""
-        self.image = IrradianceImage(axes, session.scene, session.target, self._name)
-        self._look = (False, "")
-        return self.image.artists
-
-    def change(self, frame: "Frame") -> bool:
-        """Show the flux of a frame."""
-        return self.image.update(self._light(frame))
-
-    def values(self, frame: "Frame") -> Array:
-        """Values of the image, in the scene's unit."""
-        return self.image.values
-
-    def set_look(self, logarithmic: bool, colours: str) -> bool:
-        """Set scale and colours; return whether they changed."""
-        if (logarithmic, colours) == self._look:
-            return False
-        self._look = (logarithmic, colours)
-        self.image.set_logarithmic(logarithmic)
-        self.image.set_colours(colours)
-        return True
-
-
 class LightImageView(ScreenImageView):
-    """View of light with shared scale and colours."""
+    """View of light with shared scale and colours, on a scale that follows the target."""
 
-    _content: LightContent
+    _image: IrradianceImage
+    _NAME = ""  # of the light, where it is not that of the receiver
 
-    def __init__(self, content: LightContent, link: ImageLink | None = None) -> None:
-        super().__init__(content, link)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__(link)
+        self._look = (False, "")  # logarithmic, colours
         self._logarithmic = self._add_tool(
             "logarithmic",
             tr("Logarithmic colours"),
-            tr("Logarithmic colours, over three decades: stray light is seen"),
+            tr("Logarithmic colours over three decades, to see stray light"),
         )
         self._logarithmic.toggled.connect(self._link.set_logarithmic)
+
+    def _new_image(self, axes: "Axes", session: "Session") -> IrradianceImage:
+        self._look = (False, "")
+        return IrradianceImage(axes, session.scene, session.target, self._NAME)
 
     def _adapt(self) -> bool:
         everything, link = super()._adapt(), self._link
         self._logarithmic.setChecked(link.logarithmic)
-        return self._content.set_look(link.logarithmic, link.colours) or everything
+        if (link.logarithmic, link.colours) == self._look:
+            return everything
+        self._look = link.logarithmic, link.colours
+        self._image.set_logarithmic(link.logarithmic)
+        self._image.set_colours(link.colours)
+        return True
 
 
 class IrradianceView(LightImageView):
     """View of the irradiance as computed by the optimiser."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        content = LightContent(lambda frame: frame.state.irradiance)
-        super().__init__(content, link)
+    def _shown_array(self, frame: "Frame") -> Array:
+        return frame.state.irradiance
 
     def _change(self, frame: "Frame") -> bool:
         assert self._regions is not None  # since there is a picture
@@ -263,64 +231,44 @@ class IrradianceView(LightImageView):
 
 
 _TIP = later(
-    "The target with as much light as arrives: where the irradiance is "
-    "right, both have the same colour, however much light is lost on the "
-    "way. The light account tells where that goes."
+    "The target, scaled to the flux that arrives: where the irradiance is right, both have the "
+    "same colour. The light account shows where lost light goes."
 )
-
-
-_SAME = 1e-3  # parts by which no eye can tell light from light
+_SAME = 1e-3  # relative change of the flux that is not visible
 
 
 class TargetView(LightImageView):
     """The target as irradiance or intensity, with the flux that arrives."""
 
+    _NAME = "target"
+
     def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(LightContent(_target, "target"), link)
-        self._light = 0.0  # all of it, as drawn
+        super().__init__(link)
+        self._flux = 0.0  # as drawn
         self.setToolTip(tr(_TIP))
 
     def show_frame(self, frame: "Frame") -> None:
-        """Store another target or flux."""
         before, self._frame = self._frame, frame
         self._untraced = False
-        light = _light(frame)
+        flux = _flux(frame)
         same = before is not None and same_task(before.session, frame.session)
-        if not same or abs(light - self._light) > _SAME * light:
-            self._light = light
+        if not same or abs(flux - self._flux) > _SAME * flux:
+            self._flux = flux
             self._ask()
 
+    def _shown_array(self, frame: "Frame") -> Array:
+        return target_irradiance(frame.session.scene, frame.session.target, _flux(frame))
 
-def _light(frame: "Frame") -> float:
+
+def _flux(frame: "Frame") -> float:
     return frame.session.scene.receiver.total(frame.state.irradiance) or 1.0
 
 
-def _target(frame: "Frame") -> Array:
-    session = frame.session
-    return target_irradiance(session.scene, session.target, _light(frame))
-
-
-class ErrorContent(OnScreen):
-    """Irradiance minus target as shown: red is too much light, blue too little."""
-
-    image: ErrorImage
-
-    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Begin an empty image."""
-        self.image = ErrorImage(axes, session.scene, session.target)
-        return self.image.artists
-
-    def change(self, frame: "Frame") -> bool:
-        """Show the error of a frame."""
-        return self.image.update(frame.state.irradiance)
-
-    def values(self, frame: "Frame") -> Array:
-        """Values of the image, signed."""
-        return self.image.values
-
-
 class ErrorView(ScreenImageView):
-    """View of the signed error."""
+    """View of irradiance minus target: red is too much light, blue too little."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(ErrorContent(), link)
+    def _new_image(self, axes: "Axes", session: "Session") -> ErrorImage:
+        return ErrorImage(axes, session.scene, session.target)
+
+    def _shown_array(self, frame: "Frame") -> Array:
+        return frame.state.irradiance

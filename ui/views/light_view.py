@@ -17,12 +17,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _AT_FIRST = words_for(Screen)
-_SUM = later(
-    (
-        "All parts",
-        "The parts together; the account is complete when this is 100 %.",
-    )
-)
+_SUM = later(("All parts", "Sum of all parts; 100 % when the account is complete."))
 
 
 class LightView(View):

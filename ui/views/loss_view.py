@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.shown.frame import iterations_before
 from ui.views.plot_view import PlotView
-from ui.widgets.controls import MenuButton, chosen_of
+from ui.widgets.controls import MenuButton, chosen_of, filled
 from ui.words import tr
 from workbench.pictures.loss import Against, LossCourse, LossPicture, Verified
 
@@ -31,31 +31,27 @@ class HistorySlider(QWidget):
         super().__init__()
         self._frames: Sequence[Frame] = ()
         self._slider = QSlider(Qt.Orientation.Horizontal)
-        self._slider.setAccessibleName(tr("Moment of the run"))
-        self._slider.setToolTip(
-            tr("Look back at the design and its light at any moment of the run")
-        )
+        self._slider.setAccessibleName(tr("Iteration of the run"))
+        self._slider.setToolTip(tr("Show the design at an earlier iteration of the run"))
         self._slider.valueChanged.connect(self._look)
-        self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())  # with room to move
+        self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())
         self._text = QLabel()
         self._text.setMinimumWidth(
             self._text.fontMetrics().horizontalAdvance(
                 tr("iteration {number}").format(number="00000")
             )
         )
-        self._button = QPushButton(tr("Go on from here"))
+        self._button = QPushButton(tr("Continue from here"))
         self._button.setToolTip(
             tr(
-                "Take the design as it was at this moment, and continue from it; Undo "
-                "brings the later one back"
+                "Restore the design of this iteration and continue from it; Undo restores the "
+                "later one"
             )
         )
         self._button.clicked.connect(lambda: self.continued.emit(self._frame))
-        self._row = row = QHBoxLayout(self)
-        row.setContentsMargins(8, 0, 8, 4)
-        row.addWidget(self._slider, 1)
-        row.addWidget(self._text)
-        row.addWidget(self._button)
+        self._row = filled(
+            QHBoxLayout(self), (self._slider, 1), self._text, self._button, margins=(8, 0, 8, 4)
+        )
         self.hide()
 
     def show_frames(self, frames: "Sequence[Frame]") -> None:
@@ -73,12 +69,10 @@ class HistorySlider(QWidget):
         self._button.setEnabled(go_on)
 
     def minimumSizeHint(self) -> QSize:
-        """Size without the text, which is also in the status bar."""
         whole = super().minimumSizeHint()
         return whole if self._text.isHidden() else whole - QSize(self._text_width, 0)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the text if there is space."""
         super().resizeEvent(event)
         least = self.minimumSizeHint().width()
         self._text.setVisible(self.width() >= least + self._text_width)
@@ -117,7 +111,7 @@ class LossView(PlotView):
         super().__init__()
         self._runs: tuple[LossCourse, ...] = ()
         self._verified: tuple[Verified, ...] = ()
-        self._axes_choice = MenuButton(tr("Axes"), tr("What the loss is drawn against, and how"))
+        self._axes_choice = MenuButton(tr("Axes"), tr("Axes of the plot"))
         self._against = self._axes_choice.add_choice(
             [tr("Against iterations"), tr("Against seconds")]
         )
@@ -129,25 +123,22 @@ class LossView(PlotView):
         self._add_in_corner(self._axes_choice)
 
     def show_runs(self, runs: Sequence[LossCourse]) -> None:
-        """Show other runs beside this one."""
         self._runs = tuple(runs)
         self._begin_anew()
 
     def show_verified(self, verified: Sequence[Verified]) -> None:
-        """Show checks of lenses of this run."""
         if tuple(verified) != self._verified:
             self._verified = tuple(verified)
             self._ask()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Lay out the legend for another size."""
         super().resizeEvent(event)
         self._ask()
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if self._runs or (frame is not None and frame.result.losses.size):
             return ""
-        return tr("The loss is drawn here while a design runs. Run > Start begins one.")
+        return tr("The loss of a run is plotted here. Run > Start starts a run.")
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         against = _AGAINST[chosen_of(self._against)]

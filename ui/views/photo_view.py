@@ -1,9 +1,4 @@
-"""Predicted photos as views ask for them, in a thread beside the window.
-
-1. It is traced anew at several wavelengths, which takes seconds: only for eyes, and never while a
-   run needs the cores. One that is under way when a run begins is given up.
-2. It follows the lens when it rests. Exposure needs no new trace.
-"""
+"""Predicted photo: traced at several wavelengths while it is visible and no run is active."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -11,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QRectF, QSize, QSizeF, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QImage, QPainter, QPaintEvent
+from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -48,13 +43,12 @@ class PhotoRequest:
     light: str
 
     def same(self, other: "PhotoRequest") -> bool:
-        """Whether both requests are for the same photo."""
         asked = (self.image, self.light) == (other.image, other.light)
         return asked and same_light(self.frame, other.frame)
 
 
 def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
-    """Return the photo of a request, None if cancelled; called in a thread.
+    """Return the photo of a request, None if cancelled; for a thread.
 
     Reports the finished fraction.
     """
@@ -87,7 +81,6 @@ class Pixels(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def sizeHint(self) -> QSize:
-        """Size in which an image is recognisable."""
         return _USUAL
 
     def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
@@ -96,7 +89,6 @@ class Pixels(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the image in the middle, as large as possible."""
         if self._image is None:
             return
         size = QSizeF(self._image.width() * self._aspect, self._image.height())
@@ -109,10 +101,9 @@ class Pixels(QWidget):
         painter.end()
 
 
-_TAKE = later("predict the photo")
-_REST_MS = 250  # longer than between two steps of a hand
+_TAKE = later("photo prediction")
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
-_NO_LENS = later("There is no lens yet: Start designs one.")
+_NO_LENS = later("There is no lens yet. Start designs one.")
 _WAITS = later("The photo is predicted when the design rests.")
 
 
@@ -126,24 +117,22 @@ class PhotoView(ComputingView):
         self._resting = True
         self._taken: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
-        self._said = WrappedLabel(tr(_NO_LENS))
-        self._said.setContentsMargins(6, 0, 6, 4)
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._take)
+        self._summary = WrappedLabel(tr(_NO_LENS))
+        self._summary.setContentsMargins(6, 0, 6, 4)
         self._background = Background(_TAKE, self)
         self._background.progressed.connect(
-            lambda _, part: self._said.setText(
+            lambda _, part: self._summary.setText(
                 tr("Predicting… {part:.0f} %").format(part=100 * part)
             )
         )
         self._background.done.connect(self._show)
         self._background.failed.connect(
-            lambda _, error: self._said.setText(sentence_of(error, tr(_TAKE)))
+            lambda _, error: self._summary.setText(sentence_of(error, tr(_TAKE)))
         )
         self._pixels = Pixels()
         self._box.addWidget(self._pixels, 1)
         self._box.addLayout(self._controls())
-        self._box.addWidget(self._said)
+        self._box.addWidget(self._summary)
         self.setFocusProxy(self._slider)
 
     @property
@@ -155,7 +144,6 @@ class PhotoView(ComputingView):
 
     @property
     def stops(self) -> float:
-        """Exposure."""
         return self._slider.value() / _STEPS
 
     def allow(self, resting: bool) -> None:
@@ -164,27 +152,15 @@ class PhotoView(ComputingView):
         self._want()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Store another lens."""
         super().show_frame(frame)
         self._want()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no lens."""
         self._want_nothing()
         self._taken = None
         self._pixels.show_pixels(None)
         super().show_nothing(session)
-        self._said.setText(tr(_NO_LENS))
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """End the thread with the view."""
-        self.close_thread()
-        super().closeEvent(event)
-
-    def close_thread(self) -> None:
-        """Cancel traces and wait for them; safe to call twice."""
-        self._want_nothing()
-        self._background.close()
+        self._summary.setText(tr(_NO_LENS))
 
     def _controls(self) -> QVBoxLayout:
         self._choice = ImageChoice(self._link)
@@ -192,9 +168,8 @@ class PhotoView(ComputingView):
         self._light.setAccessibleName(tr("Light of the photo"))
         self._light.setToolTip(
             tr(
-                "What the lens is lit by: as its source suggests (daylight from "
-                "infinitely far, a laser as a Gaussian beam, else an LED), or another "
-                "light"
+                "Light of the photo: that of the source (daylight for collimated light, a laser "
+                "for a Gaussian beam, otherwise an LED), or another one"
             )
         )
         self._light.addItem(tr("Light of the source"), "")
@@ -206,15 +181,15 @@ class PhotoView(ComputingView):
         self._slider.setRange(-_MOST * _STEPS, _MOST * _STEPS)
         self._slider.setPageStep(_STEPS)
         self._slider.setAccessibleName(tr("Exposure"))
-        self._slider.setToolTip(tr("Exposure in stops: one more makes all twice as bright"))
+        self._slider.setToolTip(tr("Exposure in stops; each stop doubles the brightness"))
         self._slider.valueChanged.connect(self._expose)
         self._stops = QLabel()
         self._stops.setMinimumWidth(
             self._stops.fontMetrics().horizontalAdvance(tr("{number} stops").format(number="−8⅔ "))
         )
         self._usual = QPushButton("0")
-        self._usual.setToolTip(tr("The usual exposure: the target's brightest pixel is white"))
-        self._usual.setAccessibleName(tr("Usual exposure"))
+        self._usual.setToolTip(tr("Default exposure: the target's brightest pixel is white"))
+        self._usual.setAccessibleName(tr("Default exposure"))
         self._usual.setMaximumWidth(2 * self._usual.sizeHint().height())
         self._usual.clicked.connect(lambda: self._slider.setValue(0))
         self._expose()
@@ -245,9 +220,8 @@ class PhotoView(ComputingView):
         self._tell(request)
 
     def _want_nothing(self) -> None:
-        self._rest.stop()
+        super()._want_nothing()
         self._wanted = None
-        self._background.cancel()
 
     def _request(self) -> PhotoRequest:
         assert self._frame is not None  # of what nobody sees there is no photo
@@ -260,7 +234,7 @@ class PhotoView(ComputingView):
     def _asked(self, request: PhotoRequest) -> bool:
         return self._wanted is not None and self._wanted.same(request)
 
-    def _take(self) -> None:
+    def _compute(self) -> None:
         request = self._wanted = self._request()
         self._background.begin(partial(take_photo, request), request)
 
@@ -278,10 +252,10 @@ class PhotoView(ComputingView):
         self._show_veil()
         if self._known(request) and self._taken is not None:
             text = tr(self._taken[1].summary)
-            self._said.setText(f"{text[0].upper()}{text[1:]}.")
+            self._summary.setText(f"{text[0].upper()}{text[1:]}.")
         elif not self._background.busy:
-            before = "" if self._taken is None else tr("Out of date: of the lens before. ")
-            self._said.setText(before + tr(_WAITS))
+            before = "" if self._taken is None else tr("Outdated. ")
+            self._summary.setText(before + tr(_WAITS))
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._taken is not None:

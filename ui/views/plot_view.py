@@ -1,19 +1,12 @@
-"""A matplotlib canvas that draws no more than what changed.
+"""A matplotlib canvas that redraws only what changed, and the view around it.
 
-1. A full draw of a small figure takes some 30 ms, blitting its changing artists a third of that.
-   The artists are `animated`, so that a full draw leaves them out and its result can be kept as
-   the background.
-2. Constrained layout takes several times as long as drawing, most of all on logarithmic axes. The
-   labels here are known well enough for margins of so many pixels.
-3. `draw` runs on resize, on a change of the device pixel ratio, of scale or of colours; each makes
-   a new background.
-4. The labels of a colour bar are as wide as their numbers. They are measured when everything is
-   drawn, which is not often.
-5. A narrow image goes without the name of its upright axis: the other axis has the same unit. That
-   of its colour bar stands above it. Files have all names.
-6. Drawing and painting happen before `show_changes` returns, so that their cost can be measured.
-7. A new size is drawn when it is painted. Of several canvases that get one together, as docks that
-   are opened, one is drawn in a turn of the event loop; the others show what they had, stretched.
+1. A full draw takes 30 ms, blitting animated artists a third of that: full draws are kept as the
+   background.
+2. Constrained layout takes several times as long as drawing: margins are fixed in pixels, and the
+   labels of a colour bar are measured at full draws.
+3. A narrow image omits the name of its vertical axis; files have all names.
+4. Drawing ends before `show_changes` returns, so that its cost can be measured.
+5. A new size is drawn when it is painted, one canvas in a turn of the event loop.
 """
 
 import math
@@ -59,7 +52,7 @@ _SPAN = 1.105  # of axes with a colour bar, in widths of the axes
 _BAR_LABELS = 62.0  # to begin with
 _LEAST = 30  # of axes; on smaller ones labels lie over each other
 _EDGE, _SLACK = 4.0, 20.0  # between the widest label and the end, at least and at most
-_TRIES = 3  # with more room, other numbers may stand beside the bar
+_TRIES = 3  # with wider labels, other numbers may stand beside the bar
 _FILE_DPI = 200
 _INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
@@ -80,7 +73,7 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.recolour()  # no white sheet before the first picture
 
     @property
-    def roomy(self) -> bool:
+    def has_space(self) -> bool:
         """Whether there is space for axes beside their labels."""
         across = self.width() - self._left - (self._bar_labels if self._bar else _RIGHT)
         return bool(min(across, self.height() - _BOTTOM - _TOP) >= _LEAST)
@@ -96,7 +89,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         return _LEFT_OF_NARROW if self._narrow else _LEFT_OF_IMAGE
 
     def begin(self) -> Axes:
-        """Clear the figure and return new axes."""
         self._artists = ()
         self.figure.clear()
         self._place()
@@ -141,7 +133,7 @@ class PlotCanvas(FigureCanvasQTAgg):
         self._name_axes(not self._narrow)
         for _ in range(_TRIES):
             super().draw()
-            if not self._make_room():
+            if not self._widen_labels():
                 break
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
@@ -159,17 +151,14 @@ class PlotCanvas(FigureCanvasQTAgg):
         event.ignore()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show the focus."""
         super().focusInEvent(event)
         self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Hide the focus."""
         super().focusOutEvent(event)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw a frame while the canvas has the focus."""
         if self._stale and drawing_queue().may_draw(self):
             self.draw()
         if self._stale:
@@ -183,7 +172,6 @@ class PlotCanvas(FigureCanvasQTAgg):
             painter.end()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Do not draw while hidden."""
         drawing_queue().leave(self)
         super().hideEvent(event)
 
@@ -227,18 +215,18 @@ class PlotCanvas(FigureCanvasQTAgg):
                     axes.set_title(above, loc="right", fontsize=size, color=colour, pad=5)
                     bar.yaxis.get_offset_text().set_fontsize(size)
 
-    def _make_room(self) -> bool:
+    def _widen_labels(self) -> bool:
         bars = [bar for axes in self.figure.axes for bar in axes.child_axes]
         if not bars:
             return False
         labels = bars[0].yaxis.get_tightbbox(self.get_renderer())
         assert labels is not None  # it has a name
         beyond = labels.x1 - bars[0].get_window_extent().x1
-        room = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
-        # Narrower ones in a larger room may grow again with it; that would not end.
-        if self._bar_labels - _SLACK <= room <= self._bar_labels:
+        needed = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
+        # Narrowing the labels at once may make them wider again, without end.
+        if self._bar_labels - _SLACK <= needed <= self._bar_labels:
             return False
-        self._bar_labels = room
+        self._bar_labels = needed
         self._place()
         return True
 
@@ -258,9 +246,9 @@ class PlotView(View):
     touched = Signal()
 
     _HAS_BAR = True
-    _WAITING = later("The first picture of this design comes in a moment.")
-    _NO_ROOM = later("There is too little room here for a picture.")
-    _NOTHING = later("There is no picture of this design: its light cannot be traced.")
+    _WAITING = later("The image is being computed.")
+    _TOO_SMALL = later("Too little space for a plot.")
+    _NOTHING = later("There is no image: this design cannot be traced.")
 
     def __init__(self) -> None:
         super().__init__()
@@ -278,24 +266,20 @@ class PlotView(View):
         self._over.addWidget(self._hint, 0, 0)
         self._shown: Session | None = None
         self._anew = True
-        self._roomy = True
+        self._has_space = True
 
     @property
     def empty(self) -> bool:
-        """Whether nothing is shown yet."""
         axes = self._canvas.figure.axes
         return not axes or not axes[0].get_visible()
 
     def offer(self, actions: "Sequence[QAction]") -> None:
-        """Add actions to the menu of the plot."""
         self._canvas.addActions(actions)
 
     def write(self, file: BinaryIO, format: str) -> None:
-        """Write the picture as "png" or "svg"."""
         self._canvas.write(file, format)
 
     def data(self) -> list[Column]:
-        """Data of the plot."""
         return shown_data(self._canvas.figure)
 
     def figures(self) -> dict[str, Any] | None:
@@ -303,21 +287,18 @@ class PlotView(View):
         return None
 
     def show_frame(self, frame: "Frame") -> None:
-        """Show a frame of a run or a preview."""
         self._untraced = False
         super().show_frame(frame)
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design without a frame."""
         self._untraced = True
         super().show_nothing(session)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Emit when the canvas gets the focus, and follow its size."""
         if event.type() == QEvent.Type.FocusIn:
             self.touched.emit()
-        if event.type() == QEvent.Type.Resize and self._canvas.roomy is not self._roomy:
-            self._roomy = self._canvas.roomy
+        if event.type() == QEvent.Type.Resize and self._canvas.has_space is not self._has_space:
+            self._has_space = self._canvas.has_space
             self._ask()
         return super().eventFilter(watched, event)
 
@@ -361,7 +342,7 @@ class PlotView(View):
         return tr(self._NOTHING if self._untraced else self._WAITING)
 
     def _why_small(self) -> str:
-        return "" if self._roomy else tr(self._NO_ROOM)
+        return "" if self._has_space else tr(self._TOO_SMALL)
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
         return same_task(one, other)

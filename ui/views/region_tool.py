@@ -1,10 +1,6 @@
 """Regions on images: drawing and editing by mouse, and their marks.
 
-Coordinates are parts of the receiver's width and height, from its middle, as in
-`workbench.scene.region`.
-
-A drag draws a rectangle, or takes an edge or a corner of a region along. Clicks are corners of a
-polygon, until a double click or Enter. What is drawn becomes an edit when the hand lets go.
+Coordinates are fractions of the receiver's width and height, from its centre.
 """
 
 from collections.abc import Sequence
@@ -182,7 +178,7 @@ class RegionTool:
     """Draws and edits regions on an image of a scene.
 
     A drag draws a rectangle, or moves an edge or a corner of a region. Clicks are corners of a
-    polygon, until a double click or Enter. The edit is made on release.
+    polygon, until a double click or Enter.
     """
 
     def __init__(self, link: ImageLink) -> None:
@@ -217,7 +213,6 @@ class RegionTool:
         self._show([] if self._drawn is None else [tuple(p) for p in self._drawn.outline])
 
     def drop(self) -> None:
-        """Apply the drawn region."""
         scene, drawn, grip = self._scene, self._drawn, self._grip
         self._link.show_draft(())
         if scene is None or drawn is None:
@@ -232,7 +227,6 @@ class RegionTool:
             )
 
     def click(self, place: Place) -> None:
-        """Add a corner to a polygon."""
         if not self._link.draft:  # what was begun before was given up
             self._corners = []
         if self._scene is not None and self._grip is None:
@@ -240,7 +234,6 @@ class RegionTool:
             self._show(self._corners)
 
     def close(self) -> None:
-        """End the polygon at its last corner."""
         scene = self._scene
         drawn = around(self._corners, self._name) if self._link.draft else None
         self._forget()

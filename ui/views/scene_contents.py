@@ -1,30 +1,168 @@
 """Contents of the 3D view: lens, rays, receivers, nets, source handles, marked points.
 
-They are made again for another design task, and updated for another frame of the same task.
+They are created for a design task, and updated for each frame. Tools work on one face at a time;
+the pointer picks the net nearest to the eye.
 """
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import some_rays
-from ui.views.face_nets import FaceNets
-from ui.views.tools.tool import Tool
+from ui.views.tools import Tool
 from ui.words import later, tr
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
+from workbench.geometry.faces import NO_LOCKS, ControlPoint
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights
+    from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.actors import PointMarkers
+    from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
     from workbench.pictures.surface import FaceColours
+    from workbench.scene import Element
+
+
+class FaceNets(QObject):
+    """Control points that are shown, picked, marked, brushed and locked."""
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._pictures: dict[str, ControlNetPicture] = {}
+        self._sight: Projection | None = None
+        self._face = ""
+        self._marked: ControlPoint | None = None
+        self._brush: tuple[tuple[int, int], float] | None = None
+        self._locks: dict[str, Mask] = {}
+        self._locks_of_design = NO_LOCKS
+        self._pickable = False
+
+    @property
+    def face(self) -> str:
+        """Name of the selected face; empty before the first drawing."""
+        return self._face
+
+    @property
+    def faces(self) -> tuple[str, ...]:
+        """Names of all freeform faces, in the order of the light."""
+        return tuple(self._pictures)
+
+    @property
+    def picture(self) -> "ControlNetPicture | None":
+        """The control points of that face; None before the first drawing."""
+        return self._pictures.get(self._face)
+
+    @property
+    def brush(self) -> tuple[tuple[int, int], float] | None:
+        """The control point in the middle of the brush, and its radius in scene units."""
+        return self._brush
+
+    @property
+    def locked(self) -> Mask | None:
+        """Shown locks of the selected face, shape (n_u, n_v)."""
+        return self._locks.get(self._face)
+
+    def pick(self, x: float, y: float) -> ControlPoint | None:
+        """Return the shown control point of any face at a window position."""
+        if self._sight is None or not self._pickable:
+            return None
+        start, end = self._sight.line(x, y)
+        found = {face: net.pick(x, y) for face, net in self._pictures.items()}
+        depths = {
+            face: float((self._pictures[face].places[index] - start) @ (end - start))
+            for face, index in found.items()
+            if index is not None
+        }
+        if not depths:
+            return None
+        face = min(depths, key=depths.__getitem__)
+        index = found[face]
+        return None if index is None else ControlPoint(face, index)
+
+    def aim(self, x: float, y: float) -> tuple[int, int] | None:
+        """Select the face at a window position; return its control point there."""
+        point = self.pick(x, y)
+        if point is None:
+            return None
+        self.choose(point.face)
+        return point.index
+
+    def choose(self, face: str) -> None:
+        if face != self._face:
+            self._face, self._brush = face, None
+            self.changed.emit()
+
+    def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
+        """Highlight the control points of a brush, its radius in scene units; or none."""
+        brush = None if index is None else (index, radius)
+        if brush != self._brush:
+            self._brush = brush
+            self.changed.emit()
+
+    def show_locked(self, locked: Mask | None) -> None:
+        if locked is None:
+            self._locks.pop(self._face, None)
+        else:
+            self._locks[self._face] = locked
+        self.changed.emit()
+
+    def show_locks(self, locks: "Locks") -> None:
+        if locks is not self._locks_of_design:
+            self._locks_of_design, self._locks = locks, dict(locks)
+            self.changed.emit()
+
+    def mark(self, point: ControlPoint | None) -> None:
+        """Show the control points with one of them marked, or hide them."""
+        if point != self._marked:
+            self._marked = point
+            self.changed.emit()
+
+    def begin(self, plotter: Any, optic: "Element", *, dark: bool) -> None:
+        # Late: these take seconds to load.
+        from workbench.geometry.surface import freeform_nets
+        from workbench.pictures.control_net import ControlNetPicture
+        from workbench.pictures.projection import Projection
+
+        self._pictures = {
+            face: ControlNetPicture(plotter, optic, face, dark=dark)
+            for face in freeform_nets(optic)
+        }
+        self._sight = Projection(plotter)
+        if self._face not in self._pictures:
+            self._face, self._brush = optic.designed_face, None
+
+    def draw(self, heights: "ControlHeights", shown: bool) -> None:
+        """Update the nets; show that of the selected face if a tool needs it."""
+        self._pickable = shown or self._marked is not None
+        for face, net in self._pictures.items():
+            here = face == self._face
+            # What was meant for another net is left out until the tool is moved.
+            shape = net.places.shape[:2]
+            brush, marked, locked = self._brush, self._marked, self._locks.get(face)
+            if brush is not None and (brush[0][0] >= shape[0] or brush[0][1] >= shape[1]):
+                brush = None
+            net.update(heights[face])
+            net.mark(marked.index if marked is not None and marked.face == face else None)
+            net.show(shown and here)
+            net.brush(*(brush if brush is not None and here else (None, 0.0)))
+            net.lock(locked if locked is not None and locked.shape == shape else None)
+
+    def recolour(self, dark: bool) -> None:
+        for net in self._pictures.values():
+            net.recolour(dark)
+
+    def close(self) -> None:
+        self._pictures, self._sight = {}, None
+
 
 _SPOT = 5.0  # pixels
 # What stands above the colours of faces.
@@ -59,7 +197,6 @@ class SceneContents:
     def begin(
         self, plotter: Any, session: "Session", look: SceneLook, *, dark: bool
     ) -> "LensPicture":
-        """Replace the contents by those of a design."""
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers
         from workbench.pictures.lens import LensPicture
@@ -113,7 +250,6 @@ class SceneContents:
             handles.show(None)
 
     def recolour(self, *, dark: bool) -> None:
-        """Change between dark and light background."""
         self.nets.recolour(dark)
         if self.picture is not None:
             self.picture.recolour(dark)
@@ -123,7 +259,6 @@ class SceneContents:
             self._dots.colour(_SPOTS[dark])
 
     def close(self) -> None:
-        """Release VTK objects."""
         if self.handles is not None:
             self.handles.close()
         self.picture = self.handles = self.sight = self._dots = None

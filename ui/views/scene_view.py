@@ -1,19 +1,14 @@
 """The lens, its rays and the screen in three dimensions.
 
-1. The plotter is made when the view is first seen: VTK takes a second to load.
-2. `auto_update` would render five times a second for ever; `SetMultiSamples(0)` makes a repaint
-   in software OpenGL cost 60 ms instead of 200.
-3. A repaint of the widget renders the scene. Calling `render` as well would do it twice.
-4. While hidden or minimised nothing is rendered; the latest frame is drawn when shown again.
-5. The camera belongs to the person: it moves by itself only when lens, screen or source take
-   another place, the source not while it is dragged, or when the view is resized before it was
-   ever touched.
-6. A plotter that is not closed before its widget is destroyed takes VTK objects with it that
-   crash later. `close_plotter` must be called from the window's closeEvent.
-7. The view is a native window within the window. Otherwise the whole window is composed with
-   OpenGL, and whatever is painted anywhere in it costs 13 ms more, also while the view is hidden.
-8. Of mouse and keyboard the plotter gets what no tool takes; see `ui.views.tools.tool_input`.
-9. Tools change what is shown by the methods here and never draw: an `_ask` is drawn in its turn.
+1. The plotter is created when the view is first shown: VTK takes a second to load.
+2. `auto_update` would render five times a second; `SetMultiSamples(0)` makes a repaint in software
+   OpenGL cost 60 ms instead of 200. A repaint of the widget renders; `render` would do so twice.
+3. The camera moves by itself only when lens, screen or source change position (not during a drag of
+   the source), or on resizing before its first use.
+4. A plotter that is not closed before its widget is destroyed crashes later: `close_plotter` must
+   be called from the window's closeEvent.
+5. The view is a native window. Otherwise OpenGL composes the whole window: 13 ms for each paint.
+6. The plotter gets the events that no tool uses. Tools request drawing by `_ask`.
 """
 
 from dataclasses import replace
@@ -27,9 +22,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy
 
 from ui.shown.frame import same_task
 from ui.views.scene_contents import SceneContents, SceneLook
-from ui.views.tools.steer import steer
-from ui.views.tools.tool import Pointer, Tool
-from ui.views.tools.tool_input import ToolInput
+from ui.views.tools import Pointer, Tool, ToolInput, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
@@ -49,19 +42,9 @@ _NOTCH = 1.2  # times as large, by a notch of the wheel
 
 
 class SceneView(View):
-    """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard.
+    """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard."""
 
-    Attributes
-    ----------
-    picked : Signal(ControlPoint)
-        The control point that was clicked.
-    escaped : Signal()
-        The person wants no tool any more.
-    nets : FaceNets
-        The control points.
-    """
-
-    picked = Signal(object)
+    picked = Signal(object)  # ControlPoint
     escaped = Signal()
 
     def __init__(self) -> None:
@@ -98,17 +81,17 @@ class SceneView(View):
 
     @property
     def frame(self) -> "Frame | None":
-        """What is shown, or will be in its turn."""
+        """The latest frame."""
         return self._frame
 
     @property
     def optic(self) -> "Element | None":
-        """Whose control points are shown, with all that limits them."""
+        """The shown element with its bounds."""
         return None if self._shown is None else bounded(self._shown.scene)
 
     @property
     def source(self) -> "Source | None":
-        """The source of the design, which the rays on show may be behind."""
+        """The source of the design, possibly newer than the shown rays."""
         return None if self._session is None else self._session.scene.source
 
     @property
@@ -123,7 +106,6 @@ class SceneView(View):
 
     @property
     def unit(self) -> str:
-        """The unit of length."""
         return "" if self._shown is None else self._shown.scene.unit
 
     @property
@@ -133,7 +115,7 @@ class SceneView(View):
 
     @property
     def sight(self) -> "Projection | None":
-        """What is seen where; None before the first drawing."""
+        """Projection of the view; None before the first drawing."""
         return self._contents.sight
 
     def use(self, tool: Tool | None) -> None:
@@ -149,7 +131,6 @@ class SceneView(View):
         self._ask()
 
     def drop(self) -> None:
-        """Take back what a tool has under way."""
         self._tool_input.drop()
 
     def refresh(self) -> None:
@@ -162,7 +143,7 @@ class SceneView(View):
         self.nets.show_locks(session.locked)
 
     def hold_camera(self, scene: "Scene") -> None:
-        """Leave the camera where it is when this scene comes."""
+        """Keep the camera when this scene arrives."""
         self._held = self._space(scene)
 
     def camera(self) -> dict[str, Any] | None:
@@ -173,13 +154,7 @@ class SceneView(View):
         return self._placement
 
     def set_camera(self, placement: dict[str, Any]) -> None:
-        """Look at the latest design from the place that `camera` gave.
-
-        Raises
-        ------
-        ValueError
-            If no camera can stand there.
-        """
+        """Restore the camera; raise ValueError if it is invalid."""
         from workbench.pictures.camera import check_placement
 
         check_placement(placement)
@@ -194,7 +169,7 @@ class SceneView(View):
             self._plotter.update()
 
     def colour_rays(self, by_weight: bool) -> None:
-        """Colour rays by the part of their light that arrives, or by where they end."""
+        """Colour rays by the fraction of their flux that arrives, or by outcome."""
         self._look = replace(self._look, by_weight=by_weight)
         if self._contents.picture is not None:
             self._contents.picture.colour_rays(by_weight)
@@ -206,29 +181,29 @@ class SceneView(View):
         self._ask()
 
     def exaggerate_relief(self, exaggerated: bool) -> None:
-        """Light the relief of freeform faces as if it were higher, or as it is."""
+        """Exaggerate the relief of freeform faces, or not."""
         self._look = replace(self._look, exaggerated=exaggerated)
         self._ask()
 
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
-        """What is seen now, so many times as large, shape (rows, columns, 3); None before that."""
+        """Return the magnified picture, shape (rows, columns, 3); None before drawing."""
         if self._contents.picture is None:
             return None
         taken = self._plotter.screenshot(return_img=True, scale=times)
         return np.ascontiguousarray(taken[..., :3])
 
     def show_rays(self, rays: int) -> None:
-        """Show so many of the rays along each axis: a divisor of `RAYS`, or none."""
+        """Set the number of rays along each axis: a divisor of `RAYS`, or 0."""
         self._look = replace(self._look, rays=rays)
         self._ask()
 
     def show_spots(self, heights: "ControlHeights", places: Array) -> None:
-        """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
+        """Mark points (n, 3) of a lens with these heights while it is shown."""
         self._contents.mark(heights, places)
         self._ask()
 
     def explode(self, exploded: bool) -> None:
-        """Draw long distances short and a large screen small, or all to scale."""
+        """Compress distances, or draw to scale."""
         self._look = replace(self._look, exploded=exploded)
         self._shown = None
         self._ask()
@@ -242,7 +217,6 @@ class SceneView(View):
             self._plotter.update()
 
     def _pixels_of_hint(self) -> int:
-        """How high what a tool says is, over the lower edge of the picture."""
         height = self._hint.height() if self._hint.isVisible() else 0
         return round(height * self.devicePixelRatioF())
 
@@ -256,7 +230,6 @@ class SceneView(View):
             self._plotter = None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the default view fitted."""
         super().resizeEvent(event)
         picture = self._contents.picture
         if picture is not None and picture.fitted:
@@ -265,18 +238,15 @@ class SceneView(View):
             self._plotter.update()  # the plotter may have been painted before the frame came
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Close the plotter with the view."""
         self.close_plotter()
         super().closeEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Give tools what is for them."""
         plotter = self._plotter
         kept = plotter is not None and self._tool_input.keeps(plotter, event)
         return kept or super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Look from elsewhere, by a key that no tool has taken."""
         picture = self._contents.picture
         if picture is not None and steer(picture.camera, event):
             self._plotter.update()
@@ -289,7 +259,6 @@ class SceneView(View):
             self.picked.emit(point)
 
     def _zoom(self, at: Pointer, notches: float) -> None:
-        """Come nearer to what is under the pointer, or go away from it."""
         picture, sight = self._contents.picture, self._contents.sight
         if picture is not None and sight is not None:
             picture.camera.zoom(_NOTCH**notches, sight.point(at.x, at.y))
@@ -311,7 +280,6 @@ class SceneView(View):
         self._plotter.repaint()
 
     def _place_camera(self, session: "Session") -> None:
-        """Stand where it was asked for, as soon as the design is there that this was said of."""
         latest = self._session is None or same_task(session, self._session)
         picture = self._contents.picture
         if self._placement is not None and picture is not None and latest:
@@ -346,7 +314,6 @@ class SceneView(View):
             picture.fit()
 
     def _space(self, scene: "Scene") -> Array:
-        """What the picture of a scene has to hold."""
         from workbench.pictures.camera import scene_corners
         from workbench.pictures.compressed import compress_distances
 

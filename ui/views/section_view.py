@@ -1,7 +1,6 @@
 """Irradiance and target along a line across the receiver.
 
-Keys: arrows move the point or line by a pixel of the receiver, with Shift by ten; with Ctrl, only
-the end of the line.
+Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl only the end of the line.
 """
 
 import math
@@ -12,8 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 
 from ui.views.image_link import ImageLink, Line, Place
-from ui.views.keys import ARROWS
 from ui.views.plot_view import PlotView
+from ui.views.tools import ARROWS
 from ui.widgets.controls import MenuButton, choose, chosen_of
 from ui.words import later, tr
 from workbench.pictures.axes import Extent
@@ -31,10 +30,9 @@ if TYPE_CHECKING:
 
 _DIRECTIONS = ("x", "y", "line")
 _TIP = later(
-    "Where the screen is cut: along x or y through the place that is clicked "
-    "in an image,\nor along a line that is drawn across one with Shift and "
-    "drag.\nArrow keys move place or line by a pixel, with Shift by ten; with "
-    "Ctrl, the end of the line"
+    "Cross-section along x or y through the point clicked in an image,\nor along a line drawn "
+    "with Shift and drag.\nArrow keys move the point or line by a pixel, with Shift by ten; with "
+    "Ctrl the end of the line"
 )
 _FAR = 10  # pixels, with Shift
 _SHORTEST = 0.5  # pixels that are left of a line
@@ -65,18 +63,15 @@ class SectionView(PlotView):
         self._link.drawn.connect(self._take)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the marks in images."""
         super().showEvent(event)
         self._mark()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Hide the marks in images."""
         self._link.show_pin(None)
         self._link.show_line(None)
         super().hideEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move point or line by keys."""
         step, keys = ARROWS.get(event.key()), event.modifiers()
         if step is None or self._shown is None or keys & _Keys.AltModifier:
             super().keyPressEvent(event)

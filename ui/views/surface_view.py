@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
 from ui.views.image_view import ImageView
+from ui.widgets.controls import STRETCH, filled
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.geometry.surface import freeform_nets
@@ -14,9 +15,6 @@ from workbench.pictures.surface import ASPECTS, SurfaceImage
 from workbench.scene import Element
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
     from ui.shown.frame import Frame
@@ -24,12 +22,12 @@ if TYPE_CHECKING:
 
 
 class FaceChoice(QComboBox):
-    """Hidden while there is no choice: the optic has one freeform face."""
+    """Choice of a freeform face; hidden for a single one."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(tr("Face"))
-        self.setToolTip(tr("Which of the freeform faces of the lens is meant"))
+        self.setToolTip(tr("Choose the freeform face"))
         self.hide()
 
     @property
@@ -39,15 +37,14 @@ class FaceChoice(QComboBox):
 
     @property
     def needed(self) -> str:
-        """What the chosen face is called; empty where the optic has one alone."""
+        """Title of the selected face; empty for a single one."""
         return self.currentText() if self.count() > 1 else ""
 
     def choose(self, face: str) -> None:
-        """Choose one by its name."""
         self.setCurrentIndex(self.findData(face))
 
     def offer(self, optic: Element) -> None:
-        """Let the faces of an optic be chosen; one that is chosen stays if it has that."""
+        """Offer the faces of an element; the selection stays where possible."""
         faces = list(freeform_nets(optic))
         if faces == [self.itemData(number) for number in range(self.count())]:
             return
@@ -64,46 +61,15 @@ class FaceChoice(QComboBox):
 _FONT = 9  # of the name of a face in files
 
 
-class SurfaceContent:
-    """Height over the base, slope or a curvature of a face."""
-
-    image: SurfaceImage
-    aspect = ASPECTS[0]
-
-    def __init__(self, faces: FaceChoice) -> None:
-        self._faces = faces
-
-    def extent(self, session: "Session") -> Extent:
-        """The whole element."""
-        return Extent.around(session.scene.optic.half_width, session.scene.unit)
-
-    def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Begin an empty map."""
-        self._faces.offer(session.scene.optic)
-        self.image = SurfaceImage(axes, session.scene, self.aspect, self._faces.face)
-        return self.image.artists
-
-    def change(self, frame: "Frame") -> bool:
-        """Show the face of a frame."""
-        return self.image.update(frame.state.heights[self._faces.face])
-
-    def values(self, frame: "Frame") -> Array:
-        """Values of the map."""
-        return self.image.values
-
-    def unit(self, session: "Session") -> str:
-        """Unit of the quantity."""
-        return self.aspect.unit.format(session.scene.unit).removeprefix("1 ")
-
-
 class SurfaceView(ImageView):
     """Map of a face and a quantity, both chosen above it."""
 
-    _content: SurfaceContent
+    _image: SurfaceImage
+    _aspect = ASPECTS[0]
 
     def __init__(self) -> None:
+        super().__init__()
         self._faces = FaceChoice()
-        super().__init__(SurfaceContent(self._faces))
         self._aspects = QComboBox()
         self._aspects.setAccessibleName(tr("What the map shows"))
         for number, aspect in enumerate(ASPECTS):
@@ -112,11 +78,7 @@ class SurfaceView(ImageView):
             self._aspects.setItemData(number, tr(aspect.tip), Qt.ItemDataRole.ToolTipRole)
         self._aspects.currentIndexChanged.connect(self._turn)
         self._faces.currentIndexChanged.connect(self._begin_anew)
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 4, 6, 0)
-        row.addWidget(self._faces)
-        row.addWidget(self._aspects)
-        row.addStretch(1)
+        row = filled(QHBoxLayout(), self._faces, self._aspects, STRETCH, margins=(6, 4, 6, 0))
         self._box.insertLayout(0, row)
         self._turn()
 
@@ -137,6 +99,19 @@ class SurfaceView(ImageView):
         return columns
 
     def _turn(self) -> None:
-        self._content.aspect = aspect = ASPECTS[self._aspects.currentIndex()]
-        self._aspects.setToolTip(f"<p>{tr(aspect.tip)}</p>")
+        self._aspect = ASPECTS[self._aspects.currentIndex()]
+        self._aspects.setToolTip(f"<p>{tr(self._aspect.tip)}</p>")
         self._begin_anew()
+
+    def _extent(self, session: "Session") -> Extent:
+        return Extent.around(session.scene.optic.half_width, session.scene.unit)
+
+    def _unit(self, session: "Session") -> str:
+        return self._aspect.unit.format(session.scene.unit).removeprefix("1 ")
+
+    def _new_image(self, axes: "Axes", session: "Session") -> SurfaceImage:
+        self._faces.offer(session.scene.optic)
+        return SurfaceImage(axes, session.scene, self._aspect, self._faces.face)
+
+    def _shown_array(self, frame: "Frame") -> Array:
+        return frame.state.heights[self._faces.face]

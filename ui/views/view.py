@@ -1,11 +1,8 @@
 """Base of all views, and the queue in which they are drawn.
 
-1. Two views that draw in one turn of the event loop hold the window up twice as long. Here one
-   draws at a time, and the loop runs in between.
-2. What a view costs depends on the machine, most of all in software OpenGL. It is measured around
-   a synchronous repaint, and after each drawing everything rests for a multiple of its time: slow
-   machines show fewer pictures instead of a window that does not answer. While somebody drags
-   something and looks what becomes of it, the pictures are the answer: then nothing rests.
+One view draws in a turn of the event loop. The cost is measured around a synchronous repaint, and
+all views rest for a multiple of it: slow machines draw fewer frames and stay responsive. During a
+drag nothing rests.
 """
 
 from collections import OrderedDict
@@ -13,9 +10,10 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QEvent, QObject, QTimer
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from ui.background import Background
 from ui.shown.frame import shows
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
@@ -25,6 +23,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _REST = 2.0  # seconds of rest for each second of drawing
+_REST_MS = 250  # before a computation; longer than between two frames or two steps of a hand
 _LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
 
 
@@ -47,12 +46,10 @@ class DrawingQueue(QObject):
         self._timer.timeout.connect(self._next)
 
     def ask(self, drawer: Drawer) -> None:
-        """Enqueue a view once."""
         self._waiting.setdefault(id(drawer), drawer)
         self._wait()
 
     def leave(self, drawer: Drawer) -> None:
-        """Remove a view."""
         self._waiting.pop(id(drawer), None)
         if not self._waiting:
             self._timer.stop()
@@ -99,8 +96,8 @@ def drawing_queue() -> DrawingQueue:
 class View(QWidget):
     """Shows one aspect of the design.
 
-    The first frame of another design replaces the old picture. Until then the old one is greyed and
-    marked as outdated.
+    Until the first frame of another design arrives, the old picture is greyed and marked as
+    outdated.
     """
 
     def __init__(self) -> None:
@@ -115,26 +112,21 @@ class View(QWidget):
 
     @property
     def outdated(self) -> bool:
-        """Whether the picture is marked as outdated."""
         return not self._veil.isHidden()
 
     def add_below(self, widget: QWidget) -> None:
-        """Add a widget below the picture."""
         self._box.addWidget(widget)
 
     def show_design(self, session: "Session") -> None:
-        """Store another scene or target."""
         self._session = session
         if self._frame is None:
             self._ask()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Show a frame of a run or a preview."""
         self._frame = frame
         self._ask()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design without a frame."""
         self._session, self._frame = session, None
         self._show_veil()
         self._ask()
@@ -159,18 +151,15 @@ class View(QWidget):
         return palette.windowText().color().lightness() > palette.window().color().lightness()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Draw what came while hidden."""
         super().showEvent(event)
         if self._to_draw:
             drawing_queue().ask(self)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Do not draw while hidden."""
         drawing_queue().leave(self)
         super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow changes of the palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self._recolour()
@@ -193,15 +182,19 @@ class View(QWidget):
 
 
 class ComputingView(View):
-    """Emits when there is something to compute, and when no longer.
+    """View whose picture is computed in threads, only while it is seen and the design rests.
 
     It must be the last base of a view: PySide looks for signals along the first.
     """
 
     _covered = False
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._compute)
+
     def show_design(self, session: "Session") -> None:
-        """Drop the computation for another design."""
         super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
             self._want_nothing()
@@ -214,19 +207,32 @@ class ComputingView(View):
         else:
             self._want_nothing()
 
+    def close_threads(self) -> None:
+        """Cancel the computation and wait for its threads; safe to call twice."""
+        self._rest.stop()
+        for background in self.findChildren(Background):
+            background.close()
+
     def showEvent(self, event: QShowEvent) -> None:
-        """Compute what was requested while hidden."""
         super().showEvent(event)
         self._want()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Compute nothing while hidden."""
         self._want_nothing()
         super().hideEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.close_threads()
+        super().closeEvent(event)
 
     def _seen(self) -> bool:
         return self._frame is not None and self.isVisible() and not self._covered
 
+    def _want_nothing(self) -> None:
+        self._rest.stop()
+        for background in self.findChildren(Background):
+            background.cancel()
+
     def _want(self) -> None: ...
 
-    def _want_nothing(self) -> None: ...
+    def _compute(self) -> None: ...

@@ -18,7 +18,7 @@ from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.section_view import SectionView
 from ui.views.surface_view import SurfaceView
-from ui.views.view import View
+from ui.views.view import ComputingView, View
 
 if TYPE_CHECKING:
     from ui.shown.shown_lens import FrameHistory, ShownLens
@@ -33,6 +33,11 @@ class Views(QObject):
         self.scene, self.history_slider = SceneView(), HistorySlider()
         self.derivative, self.focus, self.loss = DerivativeView(), FocusView(link), LossView()
         self.photo = PhotoView(link)
+        self.computing: dict[str, ComputingView] = {
+            "derivative": self.derivative,
+            "focus": self.focus,
+            "photo": self.photo,
+        }
         self.loss.add_below(self.history_slider)
         self.docked: dict[str, View] = {
             "irradiance": IrradianceView(link),
@@ -67,14 +72,12 @@ class Views(QObject):
         self.scene.show_colours(name)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """Functions of commands."""
         return {
             "fit_view": self.scene.fit,
             **{f"{view}_view": partial(self.scene.fit, view) for view in VIEWS},
         }
 
     def choices(self) -> dict[str, Callable[[], object]]:
-        """Functions of exclusive commands."""
         return {
             **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
             **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
@@ -91,8 +94,6 @@ class Views(QObject):
         }
 
     def close(self) -> None:
-        """Release plotter and threads; safe to call twice."""
         self.scene.close_plotter()
-        self.derivative.close_thread()
-        self.focus.close_threads()
-        self.photo.close_thread()
+        for view in self.computing.values():
+            view.close_threads()

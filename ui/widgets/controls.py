@@ -1,6 +1,7 @@
-"""Menu button, and the layout of a picture and its form."""
+"""Filling of layouts, menu button, and the layout of a picture and its form."""
 
 from collections.abc import Sequence
+from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QResizeEvent
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
     QHBoxLayout,
+    QLayout,
     QMenu,
     QPushButton,
     QScrollArea,
@@ -15,6 +17,34 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+
+Part = QWidget | QLayout
+Box = TypeVar("Box", bound=QBoxLayout)
+
+STRETCH = 1
+"""Empty space between the parts of a layout."""
+
+
+def filled(
+    box: Box,
+    *items: Part | int | tuple[Part, int],
+    margins: tuple[int, int, int, int] | int | None = None,
+    spacing: int | None = None,
+) -> Box:
+    """Fill a layout with parts, each with its stretch factor if it has one, and stretches."""
+    if margins is not None:
+        box.setContentsMargins(*(4 * (margins,) if isinstance(margins, int) else margins))
+    if spacing is not None:
+        box.setSpacing(spacing)
+    for item in items:
+        part, factor = item if isinstance(item, tuple) else (item, 0)
+        if isinstance(part, int):
+            box.addStretch(part)
+        elif isinstance(part, QWidget):
+            box.addWidget(part, factor)
+        else:
+            box.addLayout(part, factor)
+    return box
 
 
 class MenuButton(QToolButton):
@@ -39,7 +69,6 @@ class MenuButton(QToolButton):
         return group
 
     def add_toggle(self, text: str, on: bool) -> QAction:
-        """Add a checkable choice."""
         action = self.menu().addAction(text)
         action.setCheckable(True)
         action.setChecked(on)
@@ -82,7 +111,6 @@ class SideBySide(QWidget):
         picture.setMinimumHeight(_HIGH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Choose the direction by the aspect ratio."""
         super().resizeEvent(event)
         wide = self.width() > _WIDE * self.height()
         directions = QBoxLayout.Direction

@@ -20,15 +20,12 @@ class ElidedLabel(QLabel):
 
     @property
     def shown(self) -> str:
-        """Visible part of the text."""
         return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
 
     def minimumSizeHint(self) -> QSize:
-        """Allow any width."""
         return QSize(0, super().minimumSizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the text that fits."""
         shown = self.shown
         self.setToolTip("" if shown == self.text() else self.text())
         painter = QPainter(self)
@@ -60,20 +57,17 @@ class WrappedLabel(QLabel):
         self.setText(text)
 
     def text(self) -> str:
-        """The text as it was set."""
-        return self._said
+        return self._original
 
     def setText(self, text: str) -> None:
-        """Set the text."""
-        self._said = text
+        self._original = text
         super().setText(kept_together(text))
 
     def clear(self) -> None:
-        """Remove the text."""
         self.setText("")
 
 
-OUTDATED = later("Outdated: this is the design before the change")
+OUTDATED = later("Outdated: the design has changed")
 
 _GREY = 165  # of 255: what lies below is seen, and seen to be faint
 _MARGIN = 6  # pixels around the words
@@ -92,20 +86,17 @@ class Veil(QWidget):
         below.installEventFilter(self)
 
     def cover(self, covered: bool) -> None:
-        """Show or hide the overlay."""
         if covered:
             self.setGeometry(self._below.rect())
             self.raise_()
         self.setVisible(covered)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep the size of the covered widget."""
         if event.type() == QEvent.Type.Resize and self.isVisible():
             self.setGeometry(self._below.rect())
         return False
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the overlay and its text."""
         painter = QPainter(self)
         ground = QColor(self.palette().window().color())
         words = QRect(self.rect())

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from typing import TypeVar
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QResizeEvent
@@ -9,17 +10,21 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
+    QMessageBox,
     QPlainTextEdit,
     QPushButton,
     QSizePolicy,
     QStyle,
     QToolButton,
+    QWidget,
 )
 
 from ui.widgets import theme
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
 from ui.words import tr
+
+Value = TypeVar("Value")
 
 Offer = tuple[str, Callable[[], object]]
 """What a button beside a message says, and what it does."""
@@ -87,7 +92,6 @@ class MessageBar(QFrame):
             self.setAccessibleName(text)
 
     def withdraw(self, text: str) -> None:
-        """Remove a message if it is still shown."""
         if text and text == self.text:
             self.clear()
 
@@ -97,7 +101,6 @@ class MessageBar(QFrame):
             self.clear()
 
     def clear(self) -> None:
-        """Remove the message."""
         self._set_buttons(())
         self._text.clear()
         self.hide()
@@ -130,6 +133,34 @@ class MessageBar(QFrame):
             self.buttons.append(button)
 
 
+def question(
+    window: QWidget,
+    icon: QMessageBox.Icon,
+    texts: tuple[str, str, str],
+    answers: Sequence[tuple[str, QMessageBox.ButtonRole, Value]],
+) -> Value:
+    """Ask by title, text and details; return the value of the pressed button.
+
+    The button that accepts is the default; Escape presses the last one.
+    """
+    box = QMessageBox(window)
+    box.setIcon(icon)
+    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
+    box.setWindowTitle(texts[0])
+    box.setText(texts[1])
+    box.setInformativeText(texts[2])
+    buttons = [box.addButton(text, role) for text, role, _ in answers]
+    for button, (_, role, _) in zip(buttons, answers, strict=True):
+        if role is QMessageBox.ButtonRole.AcceptRole:
+            box.setDefaultButton(button)
+    box.setEscapeButton(buttons[-1])
+    box.exec()
+    pressed = box.clickedButton()
+    box.deleteLater()
+    number = buttons.index(pressed) if pressed in buttons else -1
+    return answers[number][2]
+
+
 _LINES = 2000  # of which the oldest give way
 
 
@@ -142,7 +173,7 @@ class LogView(QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setMaximumBlockCount(_LINES)
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
-        self.setPlaceholderText(tr("What runs, checks and exports tell is written here."))
+        self.setPlaceholderText(tr("Messages of runs, checks and exports appear here."))
         self.setAccessibleName(tr("Log"))
         self._at_end = True
         bar = self.verticalScrollBar()
@@ -150,7 +181,6 @@ class LogView(QPlainTextEdit):
         bar.valueChanged.connect(self._note_place)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Stay at the end, which moves when lines are wrapped differently."""
         at_end = self._at_end
         super().resizeEvent(event)
         if at_end:
@@ -159,7 +189,6 @@ class LogView(QPlainTextEdit):
             self._at_end = True
 
     def add(self, sentence: str) -> None:
-        """Write a line below the others."""
         self.appendPlainText(f"{datetime.now():%H:%M:%S}  {' '.join(sentence.split())}")
 
     def add_details(self, text: str) -> None:

@@ -16,11 +16,9 @@ def application() -> QApplication:
 
 
 def make_native(widget: QWidget) -> None:
-    """Give a widget a native window.
+    """Give a widget a native window, as everything over the native 3D view needs.
 
-    The 3D view is native, and lies above everything that Qt paints in the window. So does
-    everything shown over the 3D view. Widgets beside it are not native: menus over a native dock
-    would belong to no window.
+    Other widgets must not be native: menus over a native dock would belong to no window.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_DontCreateNativeWidgetSiblings)
     widget.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)
@@ -28,11 +26,7 @@ def make_native(widget: QWidget) -> None:
 
 
 class Uncovered(QObject):
-    """Repaints a window where other windows covered it.
-
-    Qt leaves that to a compositor if the window contains OpenGL. Without a compositor, remains of
-    other windows would stay.
-    """
+    """Repaints uncovered parts of a window with OpenGL, where there is no compositor."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)

@@ -29,7 +29,7 @@ LABELS = later(
         "z of the screen",
         "Second minus first",
         "Loss",
-        "The receivers cover different places: nothing to subtract.",
+        "The receivers differ: no difference image.",
     )
 )
 """What stands at axes, in legends and over pictures, as far as it is no unit and no number.
@@ -43,34 +43,31 @@ _FLUX = re.compile(r"(10\S+ )?flux / (.*)")
 
 
 def translate(figure: Figure, names: Collection[str] = ()) -> None:
-    """Translate labels and legends of a new figure, but not ``names``.
-
-    Labels of lines are translated too, for later legends.
-    """
+    """Translate labels and legends of a new figure, labels of lines too, but not ``names``."""
     texts = cast("list[Text]", figure.findobj(Text))
-    _say(text for text in texts if text.get_text() not in names)
+    _translate_texts(text for text in texts if text.get_text() not in names)
     for line in cast("list[Line2D]", figure.findobj(Line2D)):
         if (label := str(line.get_label())) not in names:
-            line.set_label(_said(label))
+            line.set_label(_translated(label))
 
 
 def translate_axes(figure: Figure) -> None:
     """Translate axis labels that changed with the data."""
-    _say([axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)])
+    _translate_texts([axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)])
 
 
-def _say(texts: Iterable[Text]) -> None:
+def _translate_texts(texts: Iterable[Text]) -> None:
     for text in texts:
         english = text.get_text()
-        said = _said(english)
-        if said != english:
-            text.set_text(said)
+        translated = _translated(english)
+        if translated != english:
+            text.set_text(translated)
 
 
-def _said(english: str) -> str:
+def _translated(english: str) -> str:
     if flux := _FLUX.fullmatch(english):
         return (flux[1] or "") + tr("flux / {unit}").format(unit=flux[2])
     if at := _AT.fullmatch(english):
-        return tr("{axis} at {place}").format(axis=_said(at[1]), place=at[2])
+        return tr("{axis} at {place}").format(axis=_translated(at[1]), place=at[2])
     parts = _WITH_UNIT.fullmatch(english)
     return f"{tr(parts[1])} {parts[2]}" if parts else tr(english)

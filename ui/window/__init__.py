@@ -1,1 +1,1 @@
-"""What a window is made of: its docks, its layout, the parts that are loaded late."""
+"""Docks, layout and state of a window; messages about edits and runs."""

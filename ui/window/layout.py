@@ -13,20 +13,20 @@ from ui.window.workspace import DockWorkspace
 from ui.words import tr
 
 _SHARE_OF_SCREEN = 0.85
-_SIZE = QSize(1280, 800)  # below which panes have little room
+_SIZE = QSize(1280, 800)  # below which panes are too small
 _FRAME = QSize(16, 64)  # that a desktop may put around a window
 _GEOMETRY, _DOCKS = "window/geometry", "window/result-first"
 
 
 class Layout:
-    """As at first, as it was when a window was last closed, or as a design brings it."""
+    """Geometry of a window and arrangement of its docks."""
 
     def __init__(self, window: QMainWindow, workspace: DockWorkspace, settings: QSettings) -> None:
         self._window, self._workspace, self._settings = window, workspace, settings
-        room = window.screen().availableSize()
-        window.resize((room * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(room))
+        available = window.screen().availableSize()
+        window.resize((available * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(available))
         framed = window.size() + _FRAME
-        if framed.boundedTo(room) != framed:  # the desktop knows best what fits in
+        if framed.boundedTo(available) != framed:  # the desktop knows best what fits in
             window.setWindowState(Qt.WindowState.WindowMaximized)
         workspace.arrange()
         self._first = window.saveState()
@@ -36,24 +36,21 @@ class Layout:
                 restore(kept)
 
     def reset(self) -> None:
-        """All docks as at first; a window that they made larger than the screen fits again."""
+        """Restore the initial docks, and fit the window to the screen."""
         self._window.restoreState(self._first)
-        room = self._window.screen().availableSize()
-        self._window.resize(self._window.size().boundedTo(room))
-        # Docks that were hidden just now have a share of the room until all are laid out.
+        available = self._window.screen().availableSize()
+        self._window.resize(self._window.size().boundedTo(available))
+        # Docks that were hidden just now take space until all are laid out.
         QTimer.singleShot(0, self._window, self._workspace.arrange)
 
     def keep(self) -> None:
-        """Remember size, place and docks for the next window."""
         self._settings.setValue(_GEOMETRY, self._window.saveGeometry())
         self._settings.setValue(_DOCKS, self._window.saveState())
 
     def to_text(self) -> str:
-        """The docks of now."""
         return base64.b64encode(self._window.saveState().data()).decode("ascii")
 
     def restore(self, text: str) -> None:
-        """Lay the docks out as `to_text` describes."""
         try:
             state = base64.b64decode(text, validate=True)
         except binascii.Error as error:
@@ -66,17 +63,17 @@ _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"
 
 
 class CameraView(Protocol):
-    """What has a camera."""
+    """A view with a camera."""
 
     def camera(self) -> dict[str, Any] | None:
-        """Where it stands, as plain data; None before anything was seen."""
+        """Camera as plain data; None before the first drawing."""
 
     def set_camera(self, camera: dict[str, Any]) -> None:
-        """Look from there at the design of now; raises ValueError for what is no camera."""
+        """Restore the camera; raise ValueError if it is invalid."""
 
 
 class ViewState:
-    """Written as a JSON object, and restored from one."""
+    """How a design is shown (docks, options, camera), as plain data."""
 
     def __init__(self, commands: Commands, layout: Layout, tell: Callable[[str], None]) -> None:
         self._commands, self._layout, self._tell = commands, layout, tell
@@ -84,7 +81,6 @@ class ViewState:
         self._waiting: Mapping[str, Any] | None = None  # for the views
 
     def to_data(self) -> dict[str, Any]:
-        """The view of now."""
         if self._waiting is not None:  # nobody has seen another
             return dict(self._waiting)
         on = [name for name in LOOK if self._commands[name].isChecked()]
@@ -93,7 +89,7 @@ class ViewState:
         return data if camera is None else {**data, _CAMERA: camera}
 
     def restore(self, data: Mapping[str, Any] | None) -> None:
-        """Look at a design as ``data`` tells, as far as it can be understood."""
+        """Restore the view as far as the data are valid."""
         self._waiting = None
         if data is None:
             return
@@ -104,7 +100,6 @@ class ViewState:
             self._restore_look(data, self._eye)
 
     def attach(self, eye: CameraView) -> None:
-        """The views are there."""
         self._eye = eye
         if self._waiting is not None:
             self._restore_look(self._waiting, eye)
@@ -127,7 +122,7 @@ class ViewState:
             restore()
         except ValueError as error:
             self._tell(
-                tr("The {what} kept with this design cannot be shown again: {error}").format(
+                tr("The view settings ({what}) of this design cannot be restored: {error}").format(
                     what=what, error=error
                 )
             )

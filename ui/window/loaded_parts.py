@@ -1,7 +1,4 @@
-"""The docks on what becomes of a lens outside the program: can it be made, and how well must it.
-
-Importing this takes the seconds that these libraries take.
-"""
+"""Runner, views and all that needs the slow libraries; importing this takes seconds."""
 
 from functools import partial
 from typing import TYPE_CHECKING
@@ -34,45 +31,16 @@ from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from ui.views.plot_view import PlotView
     from ui.window.workspace import EarlyParts
     from workbench.scene.region import Region
 
 
-class ProductionPanes(QObject):
-    """Makes both panes and tells them of the lens on show."""
-
-    def __init__(self, settings: QSettings, parent: QObject) -> None:
-        super().__init__(parent)
-        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
-        self.panes = {"manufacture": self.manufacture, "tolerances": self.tolerances}
-
-    def plots(self) -> "dict[str, PlotView]":
-        """Their pictures, by the names of their docks."""
-        return {"manufacture": self.manufacture.map, "tolerances": self.tolerances.plot}
-
-    def follow(self, shown: "ShownLens") -> None:
-        """Tell both panes of what is shown."""
-        for pane in (self.manufacture, self.tolerances):
-            shown.add(pane)
-
-    def allow(self, resting: bool) -> None:
-        """Whether the lens on show stays as it is until somebody asks for another."""
-        for pane in (self.manufacture, self.tolerances):
-            pane.allow(resting)
-
-    def close(self) -> None:
-        """End their threads; safe to call twice."""
-        for pane in (self.manufacture, self.tolerances):
-            pane.close_thread()
-
-
 FOLLOW = "run/follow"
-"""Setting that keeps whether edits are followed; they are by default."""
+"""Setting of live update, which is on by default."""
 
 
 class LoadedParts(QObject):
-    """Makes these things and connects them with each other and with the window's early parts."""
+    """Makes runner and views, and connects them with the window's early parts."""
 
     state_changed = Signal()
 
@@ -88,8 +56,11 @@ class LoadedParts(QObject):
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
         self.follow = Follow(document, self.control, self)
-        self.production = production = ProductionPanes(settings, self)
-        plots = views.plots() | production.plots()
+        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
+        plots = views.plots() | {
+            "manufacture": self.manufacture.map,
+            "tolerances": self.tolerances.plot,
+        }
         self.plots = Plots(plots, document, messages, early.dialogs, self)
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
@@ -102,26 +73,27 @@ class LoadedParts(QObject):
         lost_light = LostLightNotice(document, self.control, messages)
         CoarseNetNotice(document, self.control, messages, begin[0])
         self.follow.settled.connect(lambda: shortfall.follow(document.session))
-        self.follow.settled.connect(lost_light.say)
+        self.follow.settled.connect(lost_light.report)
         self.reflection = TotalReflectionNotice(document, self.control, views.scene)
-        self.reflection.said.connect(self._tell_of_reflection)
+        self.reflection.reported.connect(self._report_reflection)
         self.follow.settled.connect(self.reflection.look)
         docked = {
             **views.docked,
-            **production.panes,
+            "manufacture": self.manufacture,
+            "tolerances": self.tolerances,
             "check": self.figures,
             "runs": self.runs.table,
         }
         workspace.put_views(views.scene, docked)
-        workspace.docks["derivative"].visibilityChanged.connect(views.derivative.uncover)
-        workspace.docks["focus"].visibilityChanged.connect(views.focus.uncover)
-        workspace.docks["photo"].visibilityChanged.connect(views.photo.uncover)
-        workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
+        for name, view in views.computing.items():
+            workspace.docks[name].visibilityChanged.connect(view.uncover)
+        workspace.docks["manufacture"].visibilityChanged.connect(self.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
         views.link.regions_drawn.connect(self._take_regions)
         views.link.changed.connect(self._follow_marking)
         views.follow(shown, self.control.history)
-        production.follow(shown)
+        shown.add(self.manufacture)
+        shown.add(self.tolerances)
         views.scene.escaped.connect(early.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
@@ -130,28 +102,26 @@ class LoadedParts(QObject):
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.message.connect(messages.note)
-        production.manufacture.cut_asked.connect(early.commands["cut"].trigger)
-        production.tolerances.failed.connect(messages.warn)
-        production.tolerances.save_asked.connect(
-            lambda: self.plots.choose_and_save_plot("tolerances")
-        )
+        self.manufacture.cut_asked.connect(early.commands["cut"].trigger)
+        self.tolerances.failed.connect(messages.warn)
+        self.tolerances.save_asked.connect(partial(self.plots.choose_and_save_plot, "tolerances"))
 
     @property
     def state(self) -> str:
-        """See `Runner.state`."""
         return self.control.runner.state
 
     def allow(self, look: bool, go_on: bool) -> None:
-        """Whether one may look back at the run now, and go on from what is seen."""
+        """Allow looking back at the run, and continuing from a shown frame."""
         self.views.history_slider.allow(look=look, go_on=go_on)
-        self.views.photo.allow(resting=look)
-        self.production.allow(resting=look)
+        for view in (self.views.photo, self.manufacture, self.tolerances):
+            view.allow(resting=look)
 
     def close(self) -> None:
-        """End all threads and free what VTK holds; safe to call twice."""
-        engines = (self.follow, self.control, self.check, self.plots, self.runs, self.production)
+        engines = (self.follow, self.control, self.check, self.plots, self.runs)
         for part in (*engines, self.reflection, self.bound, self.views, self.tools):
             part.close()
+        self.manufacture.close_thread()
+        self.tolerances.close_thread()
 
     def _connect_run(self) -> None:
         control, early, shown = self.control, self._early, self.shown
@@ -235,13 +205,13 @@ class LoadedParts(QObject):
 
     def _take_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
         if self.control.busy:
-            self._early.messages.note(tr("Stop the run first; then mark regions."))
+            self._early.messages.note(tr("Stop the run first, then mark regions."))
             return
         data = [region.model_dump(mode="json") for region in regions]
         edit = Edit("regions", text, {"regions": data}, alone=True, waits=False)
         self._early.forms.edit(edit)
 
-    def _tell_of_reflection(self, sentence: str) -> None:
+    def _report_reflection(self, sentence: str) -> None:
         if self._early.messages.taken:
             self._early.log.add(sentence)
         else:

@@ -11,6 +11,7 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.views.scene_view import SceneView
 from ui.widgets.messages import MessageBar, Offer
+from ui.window.edit_notices import Notice
 from ui.words import tr
 from workbench.design.shortfall import Shortfall, wider_entrance
 from workbench.files.session import Session
@@ -22,8 +23,11 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.optics.total_reflection import TotalReflection
 
+_MORE = 0.05  # of a needed range, at each end
+_LEAST = 1e-6  # of the light; less is rounding
 
-class CoarseNetNotice(QObject):
+
+class CoarseNetNotice(Notice):
     """Reports after a run that the net is too coarse, and offers a finer one."""
 
     def __init__(
@@ -33,13 +37,11 @@ class CoarseNetNotice(QObject):
         messages: MessageBar,
         start_over: Callable[[], object],
     ) -> None:
-        super().__init__(control)
-        self._document, self._messages, self._start_over = document, messages, start_over
-        self._text = ""
-        control.ended.connect(self._say)
-        document.session_changed.connect(self._withdraw)
+        super().__init__(document, messages, control)
+        self._start_over = start_over
+        control.ended.connect(self._report)
 
-    def _say(self) -> None:
+    def _report(self) -> None:
         # Late: torch comes with it, and the window shows before that.
         from workbench.design.coarse_net import coarse_net
 
@@ -48,8 +50,7 @@ class CoarseNetNotice(QObject):
             return
         coarse = coarse_net(session.scene, session.target, session.result)
         if coarse is not None:
-            self._text = tr(coarse.sentence)
-            self._messages.warn(self._text, (tr("Refine and start over"), self._refine))
+            self._warn(tr(coarse.sentence), (tr("Refine and start over"), self._refine))
 
     def _refine(self) -> None:
         scene = self._document.session.scene
@@ -58,38 +59,23 @@ class CoarseNetNotice(QObject):
         self._document.edit(edited_scene(scene, [edit]), edit.text, "")
         self._start_over()
 
-    def _withdraw(self) -> None:
-        self._messages.withdraw(self._text)
-        self._text = ""
 
-
-class LostLightNotice(QObject):
+class LostLightNotice(Notice):
     """Reports after a run why little light reaches the receiver, and a remedy."""
 
     def __init__(self, document: Document, control: "RunControl", messages: MessageBar) -> None:
-        super().__init__(control)
-        self._document, self._messages = document, messages
-        self._text = ""
-        control.ended.connect(self.say)
-        document.session_changed.connect(self._withdraw)
+        super().__init__(document, messages, control)
+        control.ended.connect(self.report)
 
-    def say(self) -> None:
-        """Report it for the lens of the document."""
+    def report(self) -> None:
         scene, result = self._document.session.scene, self._document.session.result
         advice = None if result is None else result.state.account.advice(scene)
         self._text = "" if advice is None else tr(advice)
         if self._text and not self._messages.taken:
             self._messages.warn(self._text)
 
-    def _withdraw(self) -> None:
-        self._messages.withdraw(self._text)
-        self._text = ""
 
-
-_MORE = 0.05  # of a needed range, at each end
-
-
-class ShortfallNotice(QObject):
+class ShortfallNotice(Notice):
     """Reports limits that are too narrow, in a run or an open lens, and offers wider ones."""
 
     def __init__(
@@ -100,35 +86,33 @@ class ShortfallNotice(QObject):
         start_over: Callable[[], object],
         go_on: Callable[[], object],
     ) -> None:
-        super().__init__(control)
-        self._document, self._control, self._messages = document, control, messages
-        self._start_over, self._go_on = start_over, go_on
+        super().__init__(document, messages, control)
+        self._control, self._start_over, self._go_on = control, start_over, go_on
         self._shown: Shortfall | None = None
-        self._text = ""
         self._text_of_run = ""
         self._stopped_for: Shortfall | None = None
-        control.runner.frame_ready.connect(self._look)
+        control.runner.frame_ready.connect(self._report_in_run)
         control.ended.connect(self._end)
-        document.session_changed.connect(self.follow)
         self.follow(document.session)
 
-    def _look(self, frame: "Frame") -> None:
+    def _report_in_run(self, frame: "Frame") -> None:
         shortfall = frame.state.shortfall
         if shortfall is None or not self._control.busy or self._text_of_run:
             return
-        text = f"{self._sentence(shortfall)} {tr('The run goes on within these limits.')}"
-        self._text_of_run = text
-        widen = partial(self._stop_and_widen, shortfall)
-        offers = [(tr("Stop and widen"), widen)] if self._wider(shortfall) else []
-        self._say(text, *offers)
+        self._text_of_run = f"{self._sentence(shortfall)} {tr('The run goes on within them.')}"
+        widen = (tr("Stop and widen"), partial(self._stop_and_widen, shortfall))
+        self._warn(self._text_of_run, *([widen] if self._wider(shortfall) else []))
 
     def _end(self) -> None:
-        # Its best lens lacks nothing, or that would stand there now.
+        # The best lens may keep the limits; otherwise `follow` has reported already.
         self._messages.withdraw(self._text_of_run)
         self._text_of_run = ""
         if self._stopped_for is not None:
             shortfall, self._stopped_for = self._stopped_for, None
             self._widen(shortfall)
+
+    def _withdraw_for(self, session: Session) -> None:
+        self.follow(session)
 
     def follow(self, session: Session) -> None:
         """Report on the open lens; remove the report on another one."""
@@ -138,7 +122,7 @@ class ShortfallNotice(QObject):
         self._messages.withdraw(self._text)
         self._shown, self._text = shortfall, ""
         if shortfall is not None:
-            self._say(self._sentence(shortfall), *self._offers(shortfall))
+            self._warn(self._sentence(shortfall), *self._offers(shortfall))
 
     def _offers(self, shortfall: Shortfall) -> list[Offer]:
         if self._wider(shortfall):
@@ -153,7 +137,9 @@ class ShortfallNotice(QObject):
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
             return Edit(path, tr("automatic height range"), {path: None})
         if shortfall.cause == "height_range" and shortfall.needed is not None:
-            return Edit(path, tr("wider height range"), {path: _wide(*shortfall.needed)})
+            low, high = shortfall.needed
+            more = _MORE * (high - low)
+            return Edit(path, tr("wider height range"), {path: [low - more, high + more]})
         if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
             path = f"{scene.optic_path}.faces[0].height_range"
             return Edit(path, tr("wider entrance range"), {path: list(wider)})
@@ -176,56 +162,45 @@ class ShortfallNotice(QObject):
         scene = self._document.session.scene
         self._document.edit(edited_scene(scene, [edit]), edit.text, "")
         scene = self._document.session.scene
-        said = tr("The height range follows from the task now")
+        change = tr("The height range is automatic now")
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
             low, high = scene.optic.height_range
-            said = tr("The height range is {low:.3g} to {high:.3g} {unit} now").format(
+            change = tr("The height range is {low:.3g} to {high:.3g} {unit} now").format(
                 low=low, high=high, unit=scene.unit
             )
         elif shortfall.cause == "entrance_range":
             low, high = scene.optic.entrance_offsets
-            said = tr("The entrance range is {low:.3g} to {high:.3g} {unit} now").format(
+            change = tr("The entrance range is {low:.3g} to {high:.3g} {unit} now").format(
                 low=low, high=high, unit=scene.unit
             )
-        # From a lens that was cut off at its ends the way is long, and often does not lead as far.
-        self._text = tr(
-            "{said}, and the {optic} is as it was. Start over mostly finds a better one than "
-            "Continue does.",
+        # Continuing from a lens that was clipped at its bounds takes long and often ends worse.
+        text = tr(
+            "{change}; the {optic} is unchanged. Start over usually gives the better result.",
             optic=scene.optic.called,
-        ).format(said=said)
-        self._messages.note(
-            self._text, (tr("Start over"), self._start_over), (tr("Continue"), self._go_on)
         )
-
-    def _say(self, text: str, *offers: Offer) -> None:
-        self._text = text
-        self._messages.warn(text, *offers)
-
-
-def _wide(low: float, high: float) -> list[float]:
-    more = _MORE * (high - low)
-    return [low - more, high + more]
-
-
-_LEAST = 1e-6  # of the light; less is rounding
+        start_over, go_on = (tr("Start over"), self._start_over), (tr("Continue"), self._go_on)
+        self._note(text.format(change=change), start_over, go_on)
 
 
 class TotalReflectionNotice(QObject):
     """Reports after a run where light is totally reflected, and marks it in the 3D view."""
 
-    said = Signal(str)
+    reported = Signal(str)
 
     def __init__(self, document: Document, control: "RunControl", view: SceneView) -> None:
         super().__init__(control)
         self._document, self._view = document, view
         self._background = Background("search for total reflection", self)
-        self._background.done.connect(self._take)
-        self._background.failed.connect(self._give_up)
+        self._background.done.connect(self._show)
+        self._background.failed.connect(
+            lambda _, error: self.reported.emit(
+                sentence_of(error, tr("search for total reflection"))
+            )
+        )
         control.ended.connect(self.look)
-        document.session_changed.connect(self._forget)
+        document.session_changed.connect(self._background.cancel)
 
     def look(self) -> None:
-        """Search in the lens of the document."""
         session = self._document.session
         result = session.result
         lost = {} if result is None else result.state.account.lost
@@ -233,29 +208,22 @@ class TotalReflectionNotice(QObject):
             self._background.begin(partial(_find, session), session)
 
     def close(self) -> None:
-        """Wait for the thread; safe to call twice."""
         self._background.close()
 
-    def _take(self, session: "Session", found: "TotalReflection | None") -> None:
+    def _show(self, session: Session, found: "TotalReflection | None") -> None:
         heights = session.heights
         if found is None or heights is None:
             return
         self._view.show_spots(heights, found.places)
-        said = Said(
+        message = Said(
             "{where}, as marked in the 3D scene: {cure}.",
             where=found.sentence(session.scene),
             cure=LOSSES["total_reflection"].cure_in(session.scene),
         )
-        self.said.emit(tr(said))
-
-    def _give_up(self, session: "Session", error: Exception) -> None:
-        self.said.emit(sentence_of(error, tr("search for total reflection")))
-
-    def _forget(self) -> None:
-        self._background.cancel()
+        self.reported.emit(tr(message))
 
 
-def _find(session: "Session", task: Task) -> "TotalReflection | None":
+def _find(session: Session, task: Task) -> "TotalReflection | None":
     # Late: torch comes with it, and the window shows before that.
     from workbench.optics.total_reflection import total_reflection
 

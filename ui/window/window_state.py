@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from ui.commands.table import LOCKS, NEW
-from ui.run.control import LensOnShow
+from ui.run.control import CurrentLens
 from ui.window.workspace import EarlyParts
 from ui.words import later, tr
-from workbench.design.endings import STOPPED
+from workbench.design.endings import STOPPED, has_converged
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
@@ -31,15 +31,13 @@ _CHANGING = (
     "redo",
     "revert",
 )
-_ONE_FACE = later("There is one freeform face: Freeform entrance face gives a lens a second one")
-_RUN_FIRST = later(
-    "Not while a run goes on: it works on the design as it was when it began. Stop it first"
-)
+_ONE_FACE = later("There is only one freeform face; Freeform entrance face adds a second one")
+_RUN_FIRST = later("Not possible during a run. Stop it first")
 
 
 @dataclass(frozen=True)
 class Situation:
-    """What decides about it."""
+    """Conditions that decide which commands are available."""
 
     optic: "Element"
     state: str
@@ -58,21 +56,19 @@ class Situation:
 
     @property
     def editable(self) -> bool:
-        """Whether the design may be changed."""
         return self.state in ("loading", "idle")
 
     @property
     def under_way(self) -> bool:
-        """Whether a run goes on that nobody has stopped."""
         return self.state in ("running", "paused")
 
     @property
     def resting(self) -> bool:
-        """Whether the lens on show stays as it is until somebody asks for another."""
+        """Whether the shown lens is final."""
         return self.state in ("idle", "paused")
 
     def texts(self) -> dict[str, str]:
-        """What commands are called that do one thing or another."""
+        """Texts of commands that depend on the state."""
         return {
             "second_face": tr("Flat &entrance face")
             if self.two_faces
@@ -82,7 +78,7 @@ class Situation:
         }
 
     def allows(self) -> dict[str, bool]:
-        """Which of the commands are available; those that are left out always are."""
+        """Availability of commands; those left out are always available."""
         idle, under_way = self.state == "idle", self.under_way
         return {
             **dict.fromkeys(_CHANGING, self.editable),
@@ -102,16 +98,16 @@ class Situation:
         }
 
     def reasons(self) -> dict[str, str]:
-        """Why commands are not available that a person may look for, and what others take."""
+        """Reasons of unavailable commands, and the lens that others use."""
         called = self.optic.called
         no_lens = (
-            "" if self.has_lens else tr("There is no {optic} yet: Start designs one", optic=called)
+            "" if self.has_lens else tr("There is no {optic} yet; Start designs one", optic=called)
         )
         taken = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
         return {
             **dict.fromkeys(_CHANGING, "" if self.editable else tr(_RUN_FIRST)),
             **dict.fromkeys(
-                _TAKES_LENS, tr("Takes {lens}").format(lens=taken) if taken else no_lens
+                _TAKES_LENS, tr("Uses {lens}").format(lens=taken) if taken else no_lens
             ),
             "continue": "" if self.following else no_lens,
             **({"undo": ""} if self.has_refused else {}),
@@ -134,15 +130,14 @@ _STATES = later(
 
 
 class WindowState:
-    """Allows what can be done now, and says what is being done, whenever the window calls it."""
+    """Updates commands, forms and status bar."""
 
-    def __init__(self, early: EarlyParts, lens: LensOnShow) -> None:
+    def __init__(self, early: EarlyParts, lens: CurrentLens) -> None:
         self._early, self._document, self._lens = early, early.document, lens
         self._has_lens = self._follows = False  # as shown last
         self.loaded: LoadedParts | None = None
 
     def show(self) -> None:
-        """What can be done depends on the run, on the result and on the undo stack."""
         early, now = self._early, self._situation()
         self._has_lens, self._follows = now.has_lens, now.following
         commands = early.commands
@@ -158,7 +153,7 @@ class WindowState:
         self._show_status(now)
 
     def show_following(self, text: str) -> None:
-        """Say how far a lens is, many times a second; little else changes by it."""
+        """Show the progress of live update, many times a second."""
         has_lens = self._document.session.heights is not None
         if text and self._follows and self._has_lens == has_lens:
             self._early.status.go_on(text)
@@ -196,6 +191,8 @@ class WindowState:
             self._early.status.go_on(following)
         elif now.state == "idle" and result is not None and result.ended == STOPPED:
             self._early.status.show_state(self._stopped(now.optic.called))
+        elif now.state == "idle" and result is not None and has_converged(result.ended):
+            self._early.status.show_state(tr("Done: no further gain"))
         elif now.state == "idle" and ended:
             self._early.status.show_state(ended[0].upper() + ended[1:])
         else:
@@ -203,7 +200,7 @@ class WindowState:
 
     def _stopped(self, called: str) -> str:
         go_on = self._early.commands["continue"]
-        return tr("Stopped: {command} ({keys}) can make the {optic} better", optic=called).format(
+        return tr("Stopped; {command} ({keys}) improves the {optic}", optic=called).format(
             command=go_on.text().replace("&", ""),
             keys=go_on.shortcut().toString(QKeySequence.SequenceFormat.NativeText),
         )

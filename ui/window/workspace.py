@@ -27,7 +27,7 @@ from ui.run.status import RunStatus
 from ui.widgets.messages import LogView, MessageBar
 from ui.widgets.native import Uncovered
 from ui.window.edit_notices import RefusedFields
-from ui.words import inside, later, tr
+from ui.words import in_sentence, later, tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -80,7 +80,7 @@ class DockWorkspace:
         self.history = QUndoView(steps)
         self.history.setEmptyLabel(tr("As opened"))
         self.history.setItemDelegate(_Capitalised(self.history))
-        self.history.setToolTip(tr("A click goes back or forth to that step"))
+        self.history.setToolTip(tr("Click a step to restore it"))
         there: dict[str, QWidget] = {"design": forms, "history": self.history, "log": log}
         self._waiting = self.docks.keys() - there.keys()
         for name, dock in self.docks.items():
@@ -92,7 +92,6 @@ class DockWorkspace:
         shown.connect(lambda shown: QTimer.singleShot(0, window, self._share) if shown else None)
 
     def arrange(self) -> None:
-        """Share the window out among the docks."""
         docks, width, height = self.docks, self._window.width(), self._window.height()
         across, up = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self._window.resizeDocks(
@@ -104,7 +103,6 @@ class DockWorkspace:
         self._window.resizeDocks([docks[name] for name in _IMAGES], [1, 1, 1], across)
 
     def put_views(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
-        """Put the views where the placeholders stand."""
         if self._waiting != others.keys():
             wrong = sorted(self._waiting ^ others.keys())
             raise ValueError(f"no dock, or nothing for it: {wrong}")
@@ -118,22 +116,21 @@ class DockWorkspace:
         self._placeholder.setText(tr("The 3D scene is hidden. View > 3D scene shows it again."))
 
     def name_light(self, session: "Session") -> None:
-        """Title the docks of light as the receiver of a design calls it."""
+        """Title the docks of light by the quantity of the receiver."""
         density = tr(session.scene.receiver.density.capitalize())
         self.docks["irradiance"].setWindowTitle(density)
-        self.docks["error"].setWindowTitle(f"{density} − {inside(tr(PANES['target'].title))}")
+        self.docks["error"].setWindowTitle(f"{density} − {in_sentence(tr(PANES['target'].title))}")
 
     def show_dock(self, name: str) -> None:
-        """Show a dock in front of those that share its place."""
         self.docks[name].show()
         self.docks[name].raise_()
 
     def show_scene_view(self, shown: bool) -> None:
-        """Show the 3D scene, or nothing in its place (which costs nothing while a run goes on)."""
+        """Show or hide the 3D scene; a hidden one costs no time in a run."""
         self._stage.setCurrentIndex(1 if shown else 0)
 
     def _stack(self) -> None:
-        """Put docks behind and beside each other as `PANES` says, and hide what is not shown."""
+        """Arrange the docks as `PANES` specifies."""
         # Tabs of docks that are shown leave bars behind, which lie about until Qt deletes them.
         for name, dock in self.docks.items():
             dock.setVisible(PANES[name].shown and not PANES[name].behind)
@@ -148,7 +145,7 @@ class DockWorkspace:
                 front.raise_()
 
     def _share(self) -> None:
-        """Give all images of light as much room, where one that came has hardly any."""
+        """Give all images the same width if one has become too narrow."""
         images = [self.docks[name] for name in _IMAGES if self.docks[name].isVisible()]
         widths = [image.width() for image in images]
         if widths and min(widths) < max(widths) / 2:
@@ -165,10 +162,10 @@ class DockWorkspace:
 
 
 class _Dock(QDockWidget):
-    """One that its entry in the menu brings to the front where it stands behind another."""
+    """A dock that its menu entry raises above other tabs."""
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Close what is seen; of the rest, Qt would close a tab that nobody has looked at."""
+        """Close a visible dock; raise one that is behind another tab."""
         if self.isVisible() and self.visibleRegion().isEmpty():
             event.ignore()
             self.toggleViewAction().setChecked(True)
@@ -187,8 +184,7 @@ class _Capitalised(QStyledItemDelegate):
 
 
 _COMPILING = later(
-    "The run waits for its tracing kernels: they are compiled once after "
-    "installing, for about half a minute"
+    "The run waits for the compilation of its kernels (once after installation, half a minute)"
 )
 
 
@@ -214,16 +210,16 @@ class EarlyParts(QObject):
         self.status = RunStatus(self._bar)
 
     def begin(self, begin: Callable[[], None]) -> None:
-        """Begin a run, unless something that was typed is refused."""
+        """Begin a run, unless an entry is refused."""
         self.forms.commit()
         if self.forms.refused:
-            self._refused.tell()
+            self._refused.show()
         else:
             self.messages.make_way()
             begin()
 
     def show_waiting(self, waiting: bool) -> None:
-        """Say why a run shows nothing yet, until it does."""
+        """Show that a run waits for kernels."""
         if waiting:
             self.log.add(tr(_COMPILING))
             self._bar.showMessage(tr(_COMPILING))

@@ -56,7 +56,7 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     light = _light_of(scene)
     known = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene, light)
     pending = Figure(
-        Said("Estimate"), Said("estimating…"), Said("By a coarse design of this task.")
+        Said("Estimate"), Said("estimating…"), Said("From a coarse design of this task.")
     )
     yield Prospect(None, (pending, *known, _proposal(session)))
     estimated = _estimated(scene, (yield from estimating(session)))
@@ -78,7 +78,7 @@ def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
     name = Said("Estimate")
     if estimate is None:
         why = (
-            Said("No light arrives in a coarse design of this task.")
+            Said("No flux arrives in a coarse design of this task.")
             if scene.run.method == "auto"
             else Said("Only designs by the automatic method are estimated.")
         )
@@ -89,9 +89,7 @@ def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
         light=100 * estimate.light,
         place=Said(scene.receiver.place),
     )
-    meaning = Said(
-        "By a coarse design of this task, with all losses of light and the size of the source."
-    )
+    meaning = Said("From a coarse design of this task, with losses and source size.")
     return Figure(name, value, meaning, estimate.most > 10 * _BLACK)
 
 
@@ -123,9 +121,9 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
     spread = diffraction(scene)
     if max(x, y) == 0:
         blur = Figure(
-            Said("Blur of the light"),
+            Said("Finest detail"),
             Said("none"),
-            Said("The light comes from one point or direction."),
+            Said("The source has no size."),
         )
     else:
         same = abs(x - y) < 0.01 * max(x, y)
@@ -134,15 +132,16 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
             if same
             else sized(f"{written(x, digits=3)} × {written(y, digits=3)}", unit)
         )
-        parts = Said("{count:.0f} details fit side by side into the image.", count=wide / max(x, y))
-        blur = Figure(Said("Blur of the light"), value, parts, 10 * max(x, y) > wide)
+        across, up = np.multiply(2, scene.receiver.half_extent) / max(x, y)
+        parts = Said("{across:.0f} × {up:.0f} dots in the image.", across=across, up=up)
+        blur = Figure(Said("Finest detail"), value, parts, 10 * max(x, y) > wide)
     law = Said("√(λ · distance)") if scene.receiver.at_distance else Said("λ / width of the lens")
     return (
         blur,
         Figure(
             Said("Diffraction"),
             written(spread, unit, 2),
-            Said("{law}: finer details cannot be sharp, and no ray tracer shows that.", law=law),
+            Said("{law}: limit of sharpness, which ray tracing does not include.", law=law),
             20 * spread > wide,
         ),
     )
@@ -152,26 +151,24 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
     optic = scene.optic
     name = Said("Largest slope")
     value = Said(
-        "{slope:.0f}°, light turns by up to {turn:.0f}°", slope=slopes.steepest, turn=slopes.turn
+        "{slope:.0f}°, deflection up to {turn:.0f}°", slope=slopes.steepest, turn=slopes.turn
     )
     if not slopes.possible:
         return Figure(
             name,
-            Said("light would have to turn by {turn:.0f}°", turn=slopes.turn),
+            Said("a deflection of {turn:.0f}° would be needed", turn=slopes.turn),
             Said(
-                "The {optic} turns it by {most:.0f}° at most: a smaller image, more distance or "
-                "another place of the light helps.",
+                "The {optic} deflects by {most:.0f}° at most. Use a smaller image, more "
+                "distance or another source position.",
                 optic=optic.called,
                 most=slopes.most,
             ),
             True,
         )
     if slopes.turn > _STEEP * slopes.most:
-        meaning = Said(
-            "{most:.0f}° is the most; so near to it much light is reflected.", most=slopes.most
-        )
+        meaning = Said("Near the limit of {most:.0f}° much light is reflected.", most=slopes.most)
         return Figure(name, value, meaning, True)
-    return Figure(name, value, Said("Up to {most:.0f}° would be possible.", most=slopes.most))
+    return Figure(name, value, Said("Limit of the deflection: {most:.0f}°.", most=slopes.most))
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
@@ -274,4 +271,4 @@ def _proposal(session: Session) -> Figure:
         net = Said(
             "{height:.3g} {unit} thick, {net}", height=height, unit=session.scene.unit, net=net
         )
-    return Figure(Said("Proposed"), net, Said("All of it can be changed in the window."))
+    return Figure(Said("Proposed"), net, Said("Can be changed later in the window."))

@@ -37,7 +37,7 @@ def check_rows(
         *((Fact("no deterministic figure", found.left_out),) if found.left_out else ()),
         *_cell_rows(found.by_cells),
         Fact("relative L2 error", percent(found.relative_l2)),
-        Fact("95 % of other rays", _interval(found.relative_l2_interval)),
+        Fact("95 % interval with noise", _interval(found.relative_l2_interval)),
         Fact("without ray noise", verified_error(found, percent)),
         Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
         Fact("loss of the paper", written(found.loss)),
@@ -48,7 +48,7 @@ def check_rows(
         Fact("contrast", _or_dash(quality.contrast, ".5f")),
         Fact("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
-        Fact("off the optimiser's image", percent(difference)),
+        Fact("difference to the optimiser", percent(difference)),
         *((Fact("optimiser and check", remark),) if remark else ()),
         Fact("rays", f"{found.rays:,}"),
     )
@@ -71,14 +71,14 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     size = f"{columns} × {rows}"
     return (
         Fact("verified error", verified_error(found, percent)),
-        Fact("it is surely", _interval(found.relative_l2_corrected_interval)),
+        Fact("error interval", _interval(found.relative_l2_corrected_interval)),
         *(
-            (Fact("cells", _with(size, found.less_exact)),)
+            (Fact("beam mesh", _with(size, found.less_exact)),)
             if found.independent is None
-            else (Fact("cells", size), _independent_row(found.independent, found.less_exact))
+            else (Fact("beam mesh", size), _independent_row(found.independent, found.less_exact))
         ),
         Fact(
-            "random rays are off by",
+            "difference of random rays",
             f"{off}, –"
             if over_noise is None
             else Said("{off}, {times:.2f} times their noise", off=off, times=over_noise),
@@ -88,7 +88,7 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
 
 def _independent_row(found: IndependentError, remark: Said | None) -> Fact:
     text = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
-    return Fact("error by independent images", _with(text, remark))
+    return Fact("error by image pairs", _with(text, remark))
 
 
 def tracer_rows(found: CrossCheck) -> tuple[Fact, ...]:

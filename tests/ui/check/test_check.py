@@ -56,12 +56,12 @@ def figures(window):
 def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     window.commands["check"].trigger()
     assert figures(window) == "checking…"
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
+    qtbot.waitUntil(lambda: figures(window).startswith("Verified"), timeout=60_000)
     session = window.document.session
     steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
     found = outcome(steps)
     error = verified_error(found)
-    assert figures(window) == f"Checked error {error}"
+    assert figures(window) == f"Verified error {error}"
     assert window.status._check.isVisible()
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
@@ -80,12 +80,12 @@ def test_an_error_below_the_scatter_of_the_rays_is_shown_as_a_bound():
 
 def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     window.commands["check"].trigger()
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
+    qtbot.waitUntil(lambda: figures(window).startswith("Verified"), timeout=60_000)
     scene, stack = window.document.session.scene, window.document.undo_stack
     run = scene.run.model_copy(update={"iterations": 17})
     window.document.edit(scene.model_copy(update={"run": run}), "run", "")
     qtbot.waitUntil(lambda: window.loaded.check._shown.session.scene.run.iterations == 17)
-    assert figures(window).startswith("Checked")  # it is the same lens
+    assert figures(window).startswith("Verified")  # it is the same lens
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
     assert not window.status._check.isVisible()
@@ -106,7 +106,7 @@ def test_the_command_again_cancels_the_check(window, gate, qtbot):
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
     gate.release(STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
+    qtbot.waitUntil(lambda: figures(window).startswith("Verified"))
     assert len(gate.begun) == 2 and len(gate.left) == 1
 
 

@@ -78,7 +78,7 @@ def test_export_and_report_take_any_lens_and_say_which():
     for command in ("export", "report"):
         assert command in allowed(state="running", has_lens=False, lens="")
         assert command not in allowed(has_lens=False, lens="")
-        assert situation().reasons()[command] == "Takes a lens"
+        assert situation().reasons()[command] == "Uses a lens"
         assert "best lens so far" in situation(state="running").reasons()[command]
         assert "no lens yet" in situation(has_lens=False, lens="").reasons()[command]
 
@@ -106,4 +106,4 @@ def test_the_entrance_face_is_switched_and_the_other_face_is_only_where_there_is
 
 def test_reasons_say_what_the_optic_is_called():
     reasons = situation(optic=MIRROR, has_lens=False).reasons()
-    assert reasons["continue"] == "There is no mirror yet: Start designs one"
+    assert reasons["continue"] == "There is no mirror yet; Start designs one"

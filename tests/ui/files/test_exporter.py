@@ -64,13 +64,13 @@ def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held
     timer.timeout.connect(lambda: ticks.append(1))
     timer.start()
     window.exporter.export(tmp_path / "one.stl")
-    assert "is being written" in window.messages.text
+    assert "Writing one.stl" in window.messages.text
     qtbot.waitUntil(lambda: len(ticks) > 5)
     window.exporter.export(tmp_path / "two.stl")
     assert "still being written" in window.messages.text
     timer.stop()
     held.set()
-    qtbot.waitUntil(lambda: window.messages.text.startswith("written; the lens on show"))
+    qtbot.waitUntil(lambda: window.messages.text.startswith("written; this lens"))
 
 
 def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
@@ -92,7 +92,7 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
         qtbot.waitUntil(lambda: "50" in window.messages.text and begun.is_set())
         (cancel,) = window.messages.buttons
         cancel.click()
-        qtbot.waitUntil(lambda: window.messages.text == "No file is written.")
+        qtbot.waitUntil(lambda: window.messages.text == "No file was written.")
         assert list(tmp_path.glob("*lens*")) == []
     window.exporter.export(path, plan)
     qtbot.waitUntil(lambda: str(path) in window.messages.text)

@@ -21,7 +21,7 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.loaded.views.link.colours == window.loaded.views.scene._look.colours == "cividis"
     irradiance = window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
-    shown = irradiance._content.image.artists[0]
+    shown = irradiance._image.artists[0]
     qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
     assert settings.value("view/colours") == "cividis"
     other, received = QMainWindow(), []

@@ -45,7 +45,7 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
     monkeypatch.setattr(exporter, "_COMMAND", as_command(copy))
     monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
     window.commands["report"].trigger()
-    assert "there.html is being written" in window.messages.text
+    assert "Writing there.html" in window.messages.text
     qtbot.waitUntil(lambda: window.messages.text == f"{path} is written.", timeout=30_000)
     assert path.read_bytes().startswith(b"PK")  # the session itself
     assert path.read_bytes().endswith(b"flat lens.freeform")
@@ -60,7 +60,7 @@ def test_a_report_that_fails_shows_the_reason(window, written, monkeypatch, tmp_
     assert written(path) == "No report: no light of this lens"
     assert path.read_text() == "before"
     monkeypatch.setattr(exporter, "_COMMAND", as_command("sys.exit(3)"))
-    assert written(path) == "No report: it ended without a word"
+    assert written(path) == "No report: it ended without a message"
     assert window.messages.objectName() == "warning"
 
 
@@ -94,6 +94,6 @@ def test_a_report_is_cancelled_from_its_message(window, endless, tmp_path, qtbot
     assert "still being written" in window.messages.text
     assert window.messages.buttons[0].text() == "Cancel"
     window.messages.buttons[0].click()
-    qtbot.waitUntil(lambda: window.messages.text == "No report is written.", timeout=30_000)
+    qtbot.waitUntil(lambda: window.messages.text == "No report was written.", timeout=30_000)
     assert endless[0].returncode not in (None, 0)
     assert len(endless) == 1 and not path.exists()

@@ -82,7 +82,7 @@ def test_words_that_no_page_has_are_said_to_be_on_none(manual, qtbot):
     qtbot.keyClicks(manual._search, "xyzzy")
     assert listed(manual) == []
     assert manual._nothing.isVisible()
-    assert manual._nothing.text() == "No page has all of this: xyzzy"
+    assert manual._nothing.text() == "No page found: xyzzy"
     manual._search.clear()
     assert not manual._nothing.isVisible()
 

@@ -80,14 +80,14 @@ def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, 
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
     qtbot.waitUntil(lambda: "none-256.png" in page._outlook.text)
-    assert not page._told.isVisible()
+    assert not page._refusal.isVisible()
     page.begin()
     assert page.isVisible() and window.document.session is before
-    assert page._told.isVisible() and "none-256.png" in page._told.text()
+    assert page._refusal.isVisible() and "none-256.png" in page._refusal.text()
     chooser = row_of(page, "target.builtin").chooser
     chooser.setCurrentIndex(chooser.findData("ring"))
     chooser.activated.emit(chooser.currentIndex())
-    assert not page._told.isVisible()
+    assert not page._refusal.isVisible()
 
 
 @pytest.mark.parametrize("answer", [Answer.CANCEL, Answer.DISCARD])
@@ -131,9 +131,9 @@ def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
     assert "estimating…" in outlook.text and label.isEnabled()
     row = row_of(page, "distance")
     row.edited.emit(Edit("distance", "distance", {"distance": 700.0}))
-    assert "The figures are of the answers before." in outlook.text
+    assert "Outdated figures." in outlook.text
     assert not label.isEnabled()
-    qtbot.waitUntil(lambda: "of the answers before" not in outlook.text, timeout=90_000)
+    qtbot.waitUntil(lambda: "Outdated" not in outlook.text, timeout=90_000)
     assert all(label.isEnabled() for label in outlook._labels)
     row.edited.emit(Edit("distance", "distance", {"distance": -1.0}))
-    assert page.form.refused and "The figures are of the answers before." in outlook.text
+    assert page.form.refused and "Outdated figures." in outlook.text

@@ -109,7 +109,7 @@ def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
     assert not dialog.write.isEnabled() and dialog.bar.isVisible()
     qtbot.waitUntil(lambda: fits(dialog))
     assert "The cutter fits. Radius 0.2 cm" in dialog.found.text()
-    assert "Nothing is cut too deep; up to 0.0019 cm of material is left" in dialog.found.text()
+    assert "Nothing is cut too deep; up to 0.0019 cm of material remains" in dialog.found.text()
     assert not dialog.bar.isVisible()
 
 
@@ -160,7 +160,7 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     written = tmp_path / "lens.nc"
     window.exporter._dialogs.to_save = lambda *_: written
     window.workspace.show_dock("manufacture")
-    pane = window.loaded.production.manufacture
+    pane = window.loaded.manufacture
     answer(CutterDialog._accept, fits)
     button = next(b for b in pane.findChildren(QPushButton) if b.text() == "Ball cutter…")
     button.click()

@@ -48,7 +48,7 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
     after = desk.document.session
     assert after.result.state.heights["lens.back"].shape == (21, 10)
     assert after.result.state.irradiance is before.result.state.irradiance
-    assert desk.messages.text == "On 21 × 10 control points the lens is the same."
+    assert desk.messages.text == "The lens is unchanged on 21 × 10 control points."
     assert desk.document.undo_stack.count() == 1
     desk.document.undo_stack.undo()
     assert desk.document.session is before
@@ -66,8 +66,8 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
         ControlNet.of(after.scene.optic),
         after.start["lens.back"],
     )
-    assert f"off by up to {written(off, 'cm', 2)}" in desk.messages.text
-    assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
+    assert f"deviation up to {written(off, 'cm', 2)}" in desk.messages.text
+    assert desk.messages.buttons[0].text() == "Use 21 × 10, exact"
     qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session
     assert taken.scene.optic.control_points == (21, 10)
@@ -81,7 +81,7 @@ def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
     for z in ("6", "7", "8"):
         enter(qtbot, desk.forms, "images[0].receiver.position[2]", z)
         desk.document.undo_stack.setClean()  # steps of their own
-    assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
+    assert len(desk.log) == 1 and "was designed for another task" in desk.log[0]
     assert desk.document.session.start is not None
     assert desk.messages.text == ""
 
@@ -101,7 +101,7 @@ def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how
     after = desk.document.session
     moved = np.abs(after.heights["lens.back"] - before).max()
     assert after.result is None and after.heights["lens.back"].max() <= 0.51
-    assert f"changed by up to {moved:.2g} cm" in desk.messages.text
+    assert f"moved by up to {moved:.2g} cm" in desk.messages.text
 
 
 def test_a_second_freeform_face_is_said_and_taken_back(desk):
@@ -111,7 +111,7 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     two_faced = before.scene.optic.with_face("lens.front", front)
     document.edit(before.scene.with_optic(two_faced), "two faces", "elements[0].faces[0].shape")
     assert set(document.session.heights) == {"lens.front", "lens.back"}
-    assert desk.messages.text.startswith("The entrance face is freeform now, and flat so far.")
+    assert desk.messages.text.startswith("The entrance face is freeform now, and still flat.")
     document.undo_stack.undo()
     assert document.session is before
     document.undo_stack.redo()

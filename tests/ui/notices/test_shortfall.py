@@ -73,7 +73,7 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
     assert (
         session.result.state.heights["lens.back"] is lens and session.result.state.shortfall is None
     )
-    assert "follows from the task now" in desk.messages.text
+    assert "is automatic now" in desk.messages.text
     assert offers(desk) == ["Start over", "Continue"]
     for button in desk.messages.buttons:
         qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
@@ -83,7 +83,7 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
 def test_the_notice_comes_during_the_run_and_can_stop_it(desk, qtbot):
     desk.fall_short(NARROW, iterations=10_000, pause=0.01)
     desk.control.start()
-    qtbot.waitUntil(lambda: "The run goes on within these limits" in desk.messages.text)
+    qtbot.waitUntil(lambda: "The run goes on within them" in desk.messages.text)
     assert offers(desk) == ["Stop and widen"]
     with qtbot.waitSignal(desk.control.ended):
         press(desk, qtbot)

@@ -56,7 +56,7 @@ def test_a_changed_file_is_read_again_on_request(window, saved, image, qtbot):
     Image.fromarray(255 - LETTER).save(image)
     assert window.files.open(saved)
     before = window.document.session
-    assert "letter.png has changed. The design keeps" in window.messages.text
+    assert "letter.png has changed on disk. The design keeps" in window.messages.text
     qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     after = window.document.session
     assert after.scene == before.scene

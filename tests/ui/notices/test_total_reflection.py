@@ -47,7 +47,7 @@ def desk(qtbot, session, as_run):
 
     owner.end = end
     owner.notice = TotalReflectionNotice(owner.document, owner.control, owner.view)
-    owner.notice.said.connect(owner.said.append)
+    owner.notice.reported.connect(owner.said.append)
     yield owner
     owner.notice.close()
     owner.control.close()

@@ -19,7 +19,7 @@ def test_the_lens_is_converted_and_stays_the_result(window, designed):
         10 * designed.result.state.heights["lens.back"]
     )
     assert session.result.state.loss == designed.result.state.loss
-    assert window.messages.text == "All lengths are converted: 1 cm is 10 mm now."
+    assert window.messages.text == "All lengths were converted: 1 cm = 10 mm."
     window.document.undo_stack.undo()
     assert window.document.session is designed
     assert window.messages.text == ""

@@ -12,6 +12,6 @@ from workbench.errors import Refused
 )
 def test_an_edit_of_a_field_that_has_gone_is_refused(make_scene, path):
     scene = make_scene({"lens.control_points": "auto"})  # of parallel light, and without stages
-    with pytest.raises(Refused, match="no such field any more") as refused:
+    with pytest.raises(Refused, match="no longer has this field") as refused:
         edited_scene(scene, [Edit(path, "change", {path: 7})])
     assert refused.value.path == path

@@ -230,7 +230,7 @@ def test_a_slow_machine_makes_edits_wait_for_a_pause_and_switches_nothing_off(
     desk.follow._late.setInterval(50)
     desk.engine.hold()
     desk.edit(6)
-    qtbot.waitUntil(lambda: "takes long" in desk.follow.text)
+    qtbot.waitUntil(lambda: "slow task" in desk.follow.text)
     desk.engine.leave.release(_FREE)
     desk.wait()
     for z in (7, 8, 9):  # within one pause

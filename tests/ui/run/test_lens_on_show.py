@@ -92,7 +92,7 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
 def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     enter(qtbot, running.forms, "images[0].receiver.position[2]", "7")
     assert running.document.session.scene.receiver.z == 5 and running.loaded.control.busy
-    assert "Waits for the end of the run: change of receiver position." in running.messages.text
+    assert "Waiting for the end of the run: change of receiver position." in running.messages.text
     stop_and_apply, _ = running.messages.buttons
     assert stop_and_apply.text() == "Stop and apply"
     with qtbot.waitSignal(running.loaded.control.ended, timeout=60_000):

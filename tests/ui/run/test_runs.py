@@ -140,7 +140,7 @@ def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
     lines.selectRow(0)
     assert not compare.isEnabled()
     two_runs.commands["compare_runs"].trigger()
-    assert "Choose two runs" in two_runs.messages.text and runs.comparison is None
+    assert "Select two runs" in two_runs.messages.text and runs.comparison is None
     lines.selectAll()
     qtbot.mouseClick(compare, Qt.MouseButton.LeftButton)
     shown = runs.comparison
@@ -161,7 +161,7 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
-    assert window.status._verified.text() == "Checked error 1.25 % at 6"
+    assert window.status._verified.text() == "Verified error 1.25 % at iteration 6"
     assert verified(window)[0] == "1.25 %"
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)

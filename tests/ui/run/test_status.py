@@ -44,7 +44,7 @@ def test_a_run_logs_its_phases_and_its_trace_once(window, snapshots, as_seen_run
     run = as_seen_run(window.loaded.control.runner, 3, staged)
     run_with(window, qtbot, run)
     assert sentences(window.log) == [
-        "Run begins: small, method auto",
+        "Run started: small, method auto",
         "Stage 1 of 2, iteration 0",
         "Trace: reference",
         "Stage 2 of 2, iteration 2",
@@ -85,4 +85,4 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
     qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
-    assert state(window) == "Stopped: Continue (Shift+F5) can make the lens better"
+    assert state(window) == "Stopped; Continue (Shift+F5) improves the lens"

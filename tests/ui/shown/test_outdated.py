@@ -38,7 +38,7 @@ def test_every_view_and_the_figures_in_the_status_are_marked(window, qtbot, disp
     loaded.control._preview.setInterval(10_000_000)  # nothing comes of the next design
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: all(view.outdated for view in views))
-    assert loaded.production.manufacture._veil.isVisibleTo(loaded.production.manufacture)
+    assert loaded.manufacture._veil.isVisibleTo(loaded.manufacture)
     assert not window.status._outdated.isHidden()
     assert not window.status._light.isEnabled()
     loaded.control._preview.start(0)

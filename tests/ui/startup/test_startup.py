@@ -44,7 +44,7 @@ def meet(kind=ValueError, text="odd"):
 def test_an_error_is_shown_with_all_that_a_report_needs(received, capsys):
     meet()
     ((sentence, details),) = received
-    assert "ValueError: odd" in sentence and "save it" in sentence
+    assert "ValueError: odd" in sentence and "Save your work" in sentence
     assert "Traceback" in details and "test_startup.py" in details
     assert "Workbench" in details and "Qt 6" in details
     assert "ValueError: odd" in capsys.readouterr().err

@@ -43,7 +43,7 @@ def workers(monkeypatch):
 @pytest.fixture
 def dialog(window, tmp_path, workers):
     window.commands["sweep"].trigger()
-    dialog = window.sweeps.dialog
+    dialog = window.sweep
     dialog.folder.setText(str(tmp_path / "lenses"))
     return dialog
 
@@ -75,7 +75,7 @@ def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
         dialog.begin.click()
         assert dialog.begin.text() == "Stop" and not dialog.form.isEnabled()
         assert texts(dialog, 3) == ["2", "7", "…"]
-    assert dialog.told.text().startswith("4 of 4 designs, ")
+    assert dialog.status.text().startswith("4 of 4 designs, ")
     assert dialog.begin.text() == "Start" and dialog.form.isEnabled()
     first = texts(dialog, 0)
     assert first[:2] == ["1", "3"] and first[2].endswith(" %") and first[3].endswith(" %")
@@ -101,13 +101,13 @@ def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
     with qtbot.waitSignal(dialog._background.done, timeout=60_000):
         dialog.begin.click()
     done = len(dialog._rows)
-    assert dialog.told.text().startswith(f"{done} of 3 designs, ")
+    assert dialog.status.text().startswith(f"{done} of 3 designs, ")
     kept = set((tmp_path / "lenses").glob("*.freeform"))
     assert len(kept) == done
     workers.waits = False
     with qtbot.waitSignal(dialog._background.done, timeout=60_000):
         dialog.begin.click()
-    assert dialog.told.text().startswith("3 of 3 designs, ")
+    assert dialog.status.text().startswith("3 of 3 designs, ")
     assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
 
 

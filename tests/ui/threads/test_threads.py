@@ -40,7 +40,7 @@ def test_a_defect_in_a_thread_is_shown_logged_and_written(qtbot, qapp, logged, c
     background.deleteLater()
     assert isinstance(failures[0], ZeroDivisionError)
     assert sentence_of(failures[0], "export") == (
-        "The export ended with an unexpected ZeroDivisionError: division by zero "
+        "The export failed: unexpected ZeroDivisionError: division by zero "
         f"(details are in {file()})"
     )
     (details,) = logged

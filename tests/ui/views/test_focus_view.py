@@ -56,7 +56,7 @@ def view(frame, traces, show, qtbot):
     view = FocusView()
     view.show_frame(frame)
     show(view, 420, 420)
-    qtbot.waitUntil(lambda: view._traced.light is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: view._traced is not None, timeout=30_000)
     yield view
 
 

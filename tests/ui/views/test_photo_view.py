@@ -29,7 +29,7 @@ def view(flat, show, qtbot):
     view.show_frame(flat(0))
     show(view, 500, 400)
     yield view
-    view.close_thread()
+    view.close_threads()
 
 
 def said(view):
@@ -68,5 +68,5 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     assert view.photo.light is LIGHTS["led"]
     view.show_frame(flat(1))
     assert view.photo is None
-    assert said(view).startswith("Out of date: of the lens before.")
+    assert said(view).startswith("Outdated.")
     qtbot.waitUntil(lambda: view.photo is not None)

@@ -1,29 +1,120 @@
-"""Between mouse and keyboard over the 3D scene and its tools.
+"""Input of the 3D view: keys, camera steering, and events of tools.
 
-1. The left button goes to the tool. If the tool has nothing to do there, the camera gets press,
-   moves and release; all of them or none, or it would believe the button still pressed.
-2. Without a tool a press and a release at one place are a click, which picks.
-3. A key that the tool takes does its work again and again while it is held, as one drag, which the
-   mouse does not disturb. Another key or button ends it, and so does the focus that goes elsewhere:
-   the release would arrive there. X11 may report a key that repeats itself as if it were released
-   and pressed at once, so a release counts only if no press comes right behind it.
-4. Keys that no tool takes are for the view, which turns the camera, and for the window.
-5. Other buttons are the camera's with any tool, and the wheel without Ctrl is the view's.
+1. The left button goes to the tool. If the tool does not use the press, the camera gets press,
+   moves and release; all or none.
+2. Without a tool, a press and a release at one point select.
+3. A held key of a tool is one drag; another key or button, or a loss of focus, ends it. X11 may
+   report an auto-repeated key as released and pressed, so a release counts only if no press
+   follows.
+4. Other keys go to the view and the window. Other buttons go to the camera, the wheel to the view.
 """
+
+from collections.abc import Set
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from ui.views.keys import COMMANDS
-from ui.views.tools.tool import Pointer, Tool
+if TYPE_CHECKING:
+    from workbench.pictures.camera import FittedCamera
+
+_Key = Qt.Key
+
+ARROWS: dict[int, tuple[int, int]] = {
+    _Key.Key_Left: (-1, 0),
+    _Key.Key_Right: (1, 0),
+    _Key.Key_Down: (0, -1),
+    _Key.Key_Up: (0, 1),
+}
+"""Steps to the right and up, by key."""
+
+ZOOMS: dict[int, int] = {_Key.Key_Plus: 1, _Key.Key_Equal: 1, _Key.Key_Minus: -1}
+"""Steps nearer, by key."""
+
+COMMANDS = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+"""With either of these, a key is for the window."""
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """Position of the mouse, and modifier keys."""
+
+    x: float
+    y: float
+    fine: bool = False
+    along: bool = False
+
+
+class Tool(Protocol):
+    """Tool that uses the left button, and some keys."""
+
+    cursor: Qt.CursorShape
+    shows_net: bool
+    shows_handles: bool
+    keys: Set[int]
+
+    @property
+    def hint(self) -> str:
+        """What the tool does, in one line."""
+
+    def press(self, at: Pointer) -> bool:
+        """Begin a drag; False leaves the button to the camera."""
+
+    def drag(self, at: Pointer) -> None:
+        """Continue a drag."""
+
+    def press_key(self, key: int) -> None:
+        """Begin the action of a key, as a drag."""
+
+    def repeat_key(self, key: int, fine: bool) -> None:
+        """Apply the action of a key: after the press, and repeatedly while it is held."""
+
+    def release(self) -> None:
+        """End a drag, or the action of a key."""
+
+    def cancel(self) -> None:
+        """Cancel a drag, if there is one."""
+
+    def hover(self, at: Pointer | None) -> None:
+        """Highlight what a press would grab; None when the pointer left."""
+
+    def turn_wheel(self, steps: int) -> None:
+        """Change the size of the tool, if it has one."""
+
+
+_TURN = 5.0  # degrees
+_MOVE = 0.05  # of the height of what is seen
+_ZOOM = 1.25
+
+
+def steer(camera: "FittedCamera", event: QKeyEvent) -> bool:
+    """Rotate, shift, zoom or reset the camera by a key; whether the key was used."""
+    key, keys = event.key(), event.modifiers()
+    if keys & COMMANDS:
+        return False
+    if key in ARROWS:
+        right, up = ARROWS[key]
+        if keys & Qt.KeyboardModifier.ShiftModifier:
+            camera.move(_MOVE * right, _MOVE * up)
+        else:
+            camera.turn(_TURN * right, _TURN * up)
+    elif key in ZOOMS:
+        camera.zoom(_ZOOM ** ZOOMS[key])
+    elif key == Qt.Key.Key_Home:
+        camera.fit("")
+    else:
+        return False
+    return True
+
 
 _LEFT = Qt.MouseButton.LeftButton
 _BEHIND = 100  # milliseconds; a server under load takes as long, fingers seldom are as fast
 _NOTCH = 120  # Qt's measure of the wheel's smallest turn
 
 # VTK and pyvista do things at a key that the window knows nothing of: wireframe, picking, the end.
-_KEYS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
+_KEY_EVENTS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 
 class ToolInput(QObject):
@@ -67,7 +158,7 @@ class ToolInput(QObject):
             if event.type() == QEvent.Type.KeyPress:
                 event.setAccepted(self._escape())  # or it is the window's
             return True
-        if isinstance(event, QKeyEvent) and event.type() in _KEYS:
+        if isinstance(event, QKeyEvent) and event.type() in _KEY_EVENTS:
             event.setAccepted(tool is not None and self._use_key(tool, event))
             return True
         if event.type() == QEvent.Type.FocusOut and self._held is not _LEFT:

@@ -1,1 +1,0 @@
-"""Tools of the 3D view: interaction of mouse and keyboard, one tool at a time."""
