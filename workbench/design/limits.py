@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbench.arrays import Array, Mask
+from workbench.errors import refused_within
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.scene import Element, Scene
+from workbench.scene import Element, PlacedFace, Scene, SplineFace
 
 # A surface keeps this part of its own extent along z away from an end, where there is room for it:
 # heights that begin at an end can hardly be moved.
@@ -45,11 +46,11 @@ class HeightLimits:
     @classmethod
     def of_scene(cls, scene: Scene, part: float = _USUAL) -> dict[str, "HeightLimits"]:
         """The limits of all freeform faces of a scene, by id; ``part`` as for `bounded`."""
-        return {
-            face: limits
-            for focused in scene.focused
-            for face, limits in cls.of_faces(bounded(focused, part)).items()
-        }
+        found: dict[str, HeightLimits] = {}
+        for focused in scene.focused:
+            with refused_within(focused.optic_path):
+                found |= cls.of_faces(bounded(focused, part))
+        return found
 
     @classmethod
     def of_faces(cls, optic: Element) -> dict[str, "HeightLimits"]:
@@ -59,7 +60,21 @@ class HeightLimits:
         entrance face's are below those of the exit face by the minimal thickness.
         """
         laws = {optic.designed_front: cls.at_entrance, optic.designed_face: cls.of}
-        return {face: laws[face](optic, net) for face, net in freeform_nets(optic).items()}
+        fixed = {placed.name: (placed, face) for placed, face in optic.fixed_faces}
+        return {
+            face: cls.at(optic, *fixed[face], net) if face in fixed else laws[face](optic, net)
+            for face, net in freeform_nets(optic).items()
+        }
+
+    @classmethod
+    def at(
+        cls, optic: Element, placed: PlacedFace, face: SplineFace, net: ControlNet
+    ) -> "HeightLimits":
+        """The limits of a fixed face: about its own heights, at which a run keeps it."""
+        with refused_within(placed.path):
+            heights = face.carried_heights + optic.position[2]
+        reach = max(optic.half_width)
+        return cls(heights - reach, heights + reach, heights, net.shaping(outline_of(optic)))
 
     @classmethod
     def at_entrance(cls, optic: Element, net: ControlNet) -> "HeightLimits":

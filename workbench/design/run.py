@@ -9,6 +9,7 @@ import time
 from collections.abc import Generator, Mapping
 from dataclasses import replace
 
+import numpy as np
 import torch
 
 from workbench.arrays import Array, Mask
@@ -82,8 +83,10 @@ def run(
     """
     scene = definite(scene, target)
     scenes = scene.stage_scenes()
+    nets = nets_of(scene)
     locked = {face: mask for face, mask in locked.items() if mask.any()}
-    done = all(face in locked and locked[face].all() for face in nets_of(scene))
+    locked |= {face: np.ones(nets[face].shape, bool) for face in scene.fixed_faces}
+    done = all(face in locked and locked[face].all() for face in nets)
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(scenes) - 1
     check_stages(scenes, first, start, locked)

@@ -1,5 +1,6 @@
 """What a person works on: a design task, the lens found for it, and what belongs to both."""
 
+import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, Self
@@ -220,6 +221,8 @@ class Session:
         long as the control points that they are about. A scene that is converted to another unit
         takes the lens along.
         """
+        if self.heights is not None:
+            scene = _with_fixed_heights(scene, self.scene, self.heights)
         # Locks are about the control points that are there.
         scene = _on_net(scene, target, self.scene.optic.net_shape if self.locked else None)
         unit = scene.unit
@@ -230,9 +233,12 @@ class Session:
         exact = all(others[face].contains(nets[face]) for face in kept)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
         result, start = self.result if exact and same_task else None, self.heights
-        rise = scene.optic.position[2] - self.scene.optic.position[2]
-        if start is not None and rise:  # heights go along with their element
-            start = FaceArrays({face: z + rise for face, z in start.items()})
+        rises = {
+            face: scene.element_of(face).position[2] - self.scene.element_of(face).position[2]
+            for face in kept
+        }
+        if start is not None and any(rises.values()):  # heights go along with their element
+            start = FaceArrays({face: z + rises.get(face, 0.0) for face, z in start.items()})
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
             carried = {face: carry(nets[face], start[face], others[face]) for face in kept}
@@ -315,6 +321,22 @@ def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene
         n_u, n_v = there
         return scene.with_net((n_u, n_v))
     return definite(scene, target)
+
+
+def _with_fixed_heights(scene: Scene, before: Scene, heights: ControlHeights) -> Scene:
+    """A scene whose fixed faces without a file keep the control heights that are there."""
+    given = {
+        placed.name: element.position[2]
+        for element in scene.elements
+        for placed, _ in element.fixed_faces
+        if placed.name in heights and not element.face_files
+    }
+    for face, z in given.items():
+        if nets_of(scene)[face] == nets_of(before)[face]:
+            file = io.BytesIO()
+            np.save(file, heights[face] - z)
+            scene = scene.with_fixed_heights(face, file.getvalue())
+    return scene
 
 
 _BESIDE_THE_LENS: dict[str, object] = {"run": None, "regions": ()}

@@ -17,7 +17,7 @@ from workbench.files.figures import AccountFigures, Figures
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
 from workbench.said import Said
-from workbench.scene import DrawnTarget, Element, PlacedFace, Scene
+from workbench.scene import DrawnTarget, PlacedFace, Scene
 
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # missing in sessions of earlier programs
@@ -63,7 +63,7 @@ class Names(NamedTuple):
 
     def lift(self, scene: Scene, face: str) -> float:
         """Return z of the scene for a height of 0 in an entry of a face."""
-        return _elements(scene)[face].position[2] if self.version >= 3 else 0.0
+        return scene.element_of(face).position[2] if self.version >= 3 else 0.0
 
 
 NEWEST = Names(3)
@@ -118,11 +118,6 @@ def designed_faces(scene: Scene) -> list[PlacedFace]:
         for placed in element.placed_faces
         if placed.face.designed
     ]
-
-
-def _elements(scene: Scene) -> dict[str, Element]:
-    """Elements of a scene by the ids of their faces."""
-    return {placed.name: element for element in scene.elements for placed in element.placed_faces}
 
 
 def read_target(entries: Entries, names: Names, folder: str, scene: Scene) -> Array:

@@ -157,6 +157,11 @@ def read_session(path: Path) -> Session:
             names |= names_of(entries, named, _folder(number), task, run.result)
             names |= _names_of_light(entries, _folder(number), task)
         entries.check_names(names)
+        for placed in faces:
+            name = named.face(placed, _START if starts else "")
+            if placed.name in scene.fixed_faces and name in entries:
+                data = entries.content(name, LARGEST_PICTURE)
+                scene = scene.with_fixed_heights(placed.name, data)
         return Session(
             scene,
             read_target(entries, named, "", scene),

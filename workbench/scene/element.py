@@ -185,7 +185,7 @@ class Element(Part):
 
     @property
     def designed(self) -> bool:
-        """Whether the design shapes one of its faces."""
+        """Whether one of its faces is a B-spline, which the design shapes unless it is fixed."""
         return any(placed.face.designed for placed in self.placed_faces)
 
     @property
@@ -194,6 +194,37 @@ class Element(Part):
         element = self
         for placed in self.placed_faces:
             element = element.with_face(placed.name, placed.face.undesigned)
+        return element
+
+    @property
+    def free(self) -> bool:
+        """Whether the design changes one of its faces."""
+        fixed = [placed for placed, _ in self.fixed_faces]
+        return any(each.face.designed and each not in fixed for each in self.placed_faces)
+
+    @property
+    def fixed_faces(self) -> tuple[tuple[PlacedFace, SplineFace], ...]:
+        """Its B-spline faces that a design leaves as they are, and where they stand."""
+        return tuple(
+            (placed, placed.face)
+            for placed in self.placed_faces
+            if isinstance(placed.face, SplineFace) and placed.face.fixed
+        )
+
+    @property
+    def face_files(self) -> dict[str, bytes | None]:
+        """Files of the control heights of its fixed faces, by name."""
+        faces = (face for _, face in self.fixed_faces)
+        return {face.heights: face.content for face in faces if face.heights is not None}
+
+    def carrying(self, files: Mapping[str, bytes | None]) -> Self:
+        """Return the element with the contents of the files of its fixed faces, where given."""
+        element = self
+        for placed, face in self.fixed_faces:
+            data = files.get(face.heights or "")
+            if data is not None and data is not face.content:
+                with refused_within(placed.path):
+                    element = element.with_face(placed.name, face.carrying(data))
         return element
 
     def lit(self, wavelength_um: float) -> Self:

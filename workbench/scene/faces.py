@@ -4,13 +4,14 @@ A face is described in its element's own coordinates: z is counted from the face
 vertex stands is a matter of the element.
 """
 
+import io
 import math
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench import units
 from workbench.arrays import Array
@@ -18,6 +19,7 @@ from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
+from workbench.scene.content import Content
 from workbench.scene.fields import FILE, LENGTH, RANGE, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part, Positive
@@ -369,11 +371,51 @@ class SplineFace(Part):
             min_length=1,
         ),
     ] = None
+    designed: ClassVar[bool] = True
+    _content: Content = PrivateAttr(default_factory=Content)
 
     @property
-    def designed(self) -> bool:
-        """Whether the design shapes it."""
-        return not self.fixed
+    def content(self) -> bytes | None:
+        """The file of its control heights, if the scene carries it."""
+        return self._content.data
+
+    @property
+    def carried_heights(self) -> Array:
+        """Control heights (n_u, n_v) of a fixed face, in the element's coordinates.
+
+        Raises
+        ------
+        Refused
+            If the scene does not carry them.
+        """
+        if self.content is None:
+            reason = "the control heights of the fixed face are missing; the name of a file (.npy)"
+            raise Refused("heights", Said(reason))
+        return _read_heights(self.content)
+
+    def carrying(self, data: bytes) -> "SplineFace":
+        """Return the face with the content of the file of its control heights.
+
+        Raises
+        ------
+        Refused
+            If it is no .npy file of an array of finite numbers, or not one of this face.
+        """
+        n_u, n_v = _read_heights(data).shape
+        check_net("heights", (n_u, n_v), self.degree)
+        points = self.control_points
+        if not isinstance(points, AutoNet) and points != (n_u, n_v):
+            raise Refused(
+                "heights",
+                Said(
+                    "the file has {count} control points; {given}",
+                    count=f"{n_u} × {n_v}",
+                    given="{} × {}".format(*points),
+                ),
+            )
+        face = self.model_copy(update={"control_points": (n_u, n_v)})
+        face._content = Content(data)
+        return face
 
     @property
     def undesigned(self) -> PlaneFace | ConicFace:
@@ -413,6 +455,25 @@ class SplineFace(Part):
         if isinstance(self.control_points, AutoNet) and self.control_points.shape is not None:
             return {"control_points": "{} × {}".format(*self.control_points.shape)}
         return {}
+
+
+def _read_heights(data: bytes) -> Array:
+    try:
+        heights = np.load(io.BytesIO(data), allow_pickle=False)
+    except (ValueError, EOFError, OSError):
+        heights = None
+    if not (
+        isinstance(heights, np.ndarray)
+        and heights.ndim == 2
+        and max(heights.shape) <= LARGEST_NET
+        and heights.dtype.kind in "fiu"
+        and np.isfinite(heights).all()
+    ):
+        allowed = (
+            "no array of control heights; a .npy file of {most} × {most} finite numbers at most"
+        )
+        raise Refused("heights", Said(allowed, most=LARGEST_NET))
+    return heights.astype(np.float64)
 
 
 Face = Annotated[PlaneFace | ConicFace | SplineFace, Kinds("shape", title="Shape")]

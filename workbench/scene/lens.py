@@ -197,10 +197,8 @@ class Lens(Element):
         """Refuse what cannot be computed with, and what cannot be made."""
         front, back = self.faces
         if front.designed and not back.designed:
-            raise Refused(
-                "faces[1].shape" if back.shape != "bspline" else "faces[1].fixed",
-                Said("a front face is designed together with the back face; 'bspline', not fixed"),
-            )
+            together = "a B-spline front face needs a B-spline back face; 'bspline'"
+            raise Refused("faces[1].shape", Said(together))
         super().check_element()
         if not self.index > 1:
             low = Said("{index:g}; greater than 1 is needed", index=self.index)

@@ -136,7 +136,8 @@ class Scene(Part):
             source.check_before(first)
             check_receivers(self, self.receivers)
             for focused in self.focused:
-                of_designed_element(focused).check()
+                if focused.optic.free:
+                    of_designed_element(focused).check()
             return
         optic = self.optic
         radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
@@ -170,8 +171,16 @@ class Scene(Part):
 
     @property
     def designed_number(self) -> int:
-        """Index of the last element that the design shapes."""
-        return self.designed_numbers[-1]
+        """Index of the last element of which the design shapes a face."""
+        numbers = self.designed_numbers
+        return ([number for number in numbers if self.elements[number].free] or numbers)[-1]
+
+    @property
+    def fixed_faces(self) -> frozenset[str]:
+        """Ids of the B-spline faces that the design leaves as they are."""
+        return frozenset(
+            placed.name for element in self.elements for placed, _ in element.fixed_faces
+        )
 
     @property
     def focused(self) -> "tuple[Scene, ...]":
@@ -378,21 +387,43 @@ class Scene(Part):
 
     @property
     def light_files(self) -> dict[str, bytes | None]:
-        """Files of its sources, by name: what they hold, where that is carried along."""
-        return {
-            name: data
-            for number in range(len(self.run.stages) + 1)
-            for name, data in self.source_of(number).light_files.items()
-        }
+        """Files of its sources and fixed faces, by name: their contents, where carried along."""
+        stages = range(len(self.run.stages) + 1)
+        parts = [self.source_of(number).light_files for number in stages]
+        parts += [element.face_files for element in self.elements]
+        return {name: data for files in parts for name, data in files.items()}
 
     def carrying(self, files: Mapping[str, bytes | None]) -> Self:
-        """The scene with what files of its sources hold, as far as that is given."""
+        """The scene with the contents of files of its sources and fixed faces, where given."""
         stages = tuple(
             stage.model_copy(update={"source": stage.source and stage.source.carrying(files)})
             for stage in self.run.stages
         )
         run = self.run.model_copy(update={"stages": stages}) if stages else self.run
-        return self.model_copy(update={"source": self.source.carrying(files), "run": run})
+        elements = []
+        for number, element in enumerate(self.elements):
+            with refused_within(f"elements[{number}]"):
+                elements.append(element.carrying(files))
+        update = {"source": self.source.carrying(files), "run": run, "elements": tuple(elements)}
+        return self.model_copy(update=update)
+
+    def element_of(self, face: str) -> Element:
+        """Return the element of a face, by the id of the face."""
+        return next(
+            element
+            for element in self.elements
+            if any(placed.name == face for placed in element.placed_faces)
+        )
+
+    def with_fixed_heights(self, face: str, data: bytes) -> Self:
+        """Return the scene with the content of a file of heights of a fixed face, by its id."""
+        for number, element in enumerate(self.elements):
+            for placed, fixed in element.fixed_faces:
+                if placed.name == face:
+                    with refused_within(f"elements[{number}].{placed.path}"):
+                        carrying = fixed.carrying(data)
+                    return self.with_element(number, element.with_face(face, carrying))
+        return self
 
     def with_contents_of(self, other: "Scene") -> Self:
         """The scene with what another one carries along: files of light, and targets as drawn."""

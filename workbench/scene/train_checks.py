@@ -12,7 +12,6 @@ from workbench.said import Said
 from workbench.scene.axis import leaving, outgoing
 from workbench.scene.diffuser import Diffuser, LambertianScatter
 from workbench.scene.element import Element
-from workbench.scene.faces import SplineFace
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
 from workbench.scene.receiver import AnyReceiver
@@ -44,7 +43,7 @@ def check_elements(scene: "Scene") -> None:
         if name in names[:number]:
             twice = Said("'{name}' is the name of another element; another name", name=name)
             raise Refused(f"elements[{number}].name", twice)
-    if not any(element.designed for element in scene.elements):
+    if not any(element.free for element in scene.elements):
         raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
     for number in range(len(scene.elements)):
         _check_element(scene, number)
@@ -120,8 +119,6 @@ def _check_element(scene: "Scene", number: int) -> None:
         if refused.path.startswith("source."):  # a wavelength beyond the data of a material
             raise
         raise Refused(f"{path}.{refused.path}", refused.reason) from None
-    if any(isinstance(each.face, SplineFace) and each.face.fixed for each in element.placed_faces):
-        raise Refused(path, Said("fixed B-spline faces are not traced yet; a conic face"))
     if number or not element.upright:  # the source sees to the rest
         _check_side(path, element, scene.ways[number])
     if number:
