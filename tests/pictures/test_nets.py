@@ -108,10 +108,10 @@ def test_a_grid_has_corners_and_a_middle(handles, plotter):
 
 
 def test_moving_rounds_to_what_a_person_would_type(make_scene):
-    point = make_scene({"source": POINT}).source
+    scene = make_scene({"source": POINT})
     by = np.array([0.01234567, -0.1, 0.00001])
-    assert moved(point, "middle", by, 3).position == (0.112, 0.1, -3.0)
-    back = moved(point, "middle", -np.array(point.position) - 1e-9, 3).position
+    assert moved(scene, "middle", by, 3).source.position == (0.112, 0.1, -3.0)
+    back = moved(scene, "middle", -np.array(scene.source.position) - 1e-9, 3).source.position
     assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
-    grid = make_scene({"source": GRID}).source
-    assert moved(grid, "middle", by, 3).position == (0.112, -0.1, -3.0)
+    grid = make_scene({"source": GRID})
+    assert moved(grid, "middle", by, 3).source.position == (0.112, -0.1, -3.0)

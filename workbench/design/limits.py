@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbench.arrays import Array, Mask
-from workbench.errors import refused_within
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
@@ -46,11 +45,11 @@ class HeightLimits:
     @classmethod
     def of_scene(cls, scene: Scene, part: float = _USUAL) -> dict[str, "HeightLimits"]:
         """The limits of all freeform faces of a scene, by id; ``part`` as for `bounded`."""
-        found: dict[str, HeightLimits] = {}
-        for focused in scene.focused:
-            with refused_within(focused.optic_path):
-                found |= cls.of_faces(bounded(focused, part))
-        return found
+        return {
+            face: limits
+            for focused in scene.focused
+            for face, limits in cls.of_faces(bounded(focused, part)).items()
+        }
 
     @classmethod
     def of_faces(cls, optic: Element) -> dict[str, "HeightLimits"]:
@@ -70,8 +69,10 @@ class HeightLimits:
     def at(
         cls, optic: Element, placed: PlacedFace, face: SplineFace, net: ControlNet
     ) -> "HeightLimits":
-        """The limits of a fixed face: about its own heights, at which a run keeps it."""
-        with refused_within(placed.path):
+        """The limits of a fixed face: about its own heights, or its base, where a run keeps it."""
+        x, y = net.positions
+        heights = face.base.sag(x[:, None], y) + placed.z
+        if face.carried_heights is not None:
             heights = face.carried_heights + optic.position[2]
         reach = max(optic.half_width)
         return cls(heights - reach, heights + reach, heights, net.shaping(outline_of(optic)))

@@ -55,6 +55,7 @@ def check_stages(
             device_of(part)
             method_of(part).check(part)
             _check_lit(part)
+            _check_fixed(part, start or {})
             if locked:
                 _check_net(part, finished)
     if locked and start is not None:
@@ -107,6 +108,17 @@ def _check_lit(part: Scene) -> None:
             "source",
             Said("none of its light goes to the {optic}; turn or move it", optic=part.optic.called),
         )
+
+
+def _check_fixed(part: Scene, start: Mapping[str, Array]) -> None:
+    """Refuse a fixed face without control heights."""
+    for number, element in enumerate(part.elements):
+        for placed, face in element.fixed_faces:
+            if face.content is None and placed.name not in start:
+                raise Refused(
+                    f"elements[{number}].{placed.path}.heights",
+                    Said("the control heights of the fixed face are missing; a file (.npy)"),
+                )
 
 
 def _check_net(part: Scene, finished: Scene) -> None:

@@ -12,7 +12,6 @@ from workbench.design.heights import FreeHeights, HeightRange
 from workbench.design.limits import CLOSEST, HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First, behind_flat_entrance
-from workbench.errors import refused_within
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.process import release_freed_memory
@@ -119,12 +118,11 @@ class Room:
     def _limits_with(self, lens: Element, ranged: bool = False) -> dict[str, HeightLimits]:
         """Limits of all faces, in the order of the light, from those of the last element."""
         others = [self._with_range(other) if ranged else other for other in self._others]
-        names = [element.name for element in self.scene.elements]
-        found: dict[str, HeightLimits] = {}
-        for element in (*others, lens):
-            with refused_within(f"elements[{names.index(element.name)}]"):
-                found |= HeightLimits.of_faces(element)
-        return found
+        return {
+            face: limits
+            for element in (*others, lens)
+            for face, limits in HeightLimits.of_faces(element).items()
+        }
 
     def alone(self) -> "Room":
         """The room of the exit face alone behind a flat entrance face.

@@ -380,18 +380,9 @@ class SplineFace(Part):
         return self._content.data
 
     @property
-    def carried_heights(self) -> Array:
-        """Control heights (n_u, n_v) of a fixed face, in the element's coordinates.
-
-        Raises
-        ------
-        Refused
-            If the scene does not carry them.
-        """
-        if self.content is None:
-            reason = "the control heights of the fixed face are missing; the name of a file (.npy)"
-            raise Refused("heights", Said(reason))
-        return _read_heights(self.content)
+    def carried_heights(self) -> Array | None:
+        """Control heights (n_u, n_v) of its file, in the element's coordinates; None without it."""
+        return None if self.content is None else _read_heights(self.content)
 
     def carrying(self, data: bytes) -> "SplineFace":
         """Return the face with the content of the file of its control heights.
