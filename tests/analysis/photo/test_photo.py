@@ -11,6 +11,7 @@ from workbench.analysis.photo.light import LIGHTS, linear_rgb, tristimulus
 from workbench.analysis.photo.photo import photograph
 from workbench.materials import CATALOGUE
 from workbench.progress import finished
+from workbench.scene import PlaneFace
 
 DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
 # All light of the plate on the screen, which stands far away, in few pixels.
@@ -46,6 +47,21 @@ def test_without_dispersion_each_channel_is_the_image_of_the_check(make_scene):
         assert channel == pytest.approx(photo.rgb[..., 0], abs=1e-9 * grey.max())
     assert len(photo.wavelengths_um) == 1
     assert "no dispersion known" in photo.summary
+
+
+def test_a_plate_before_a_prism_leaves_its_colours_where_they_are(make_scene):
+    scene = make_scene(WIDE | DISPERSIVE)
+    heights = prism(scene)
+    alone = photograph(scene, white(scene), heights, LIGHTS["equal"])
+    faces = (PlaneFace(), PlaneFace())
+    changes = {"name": "plate", "faces": faces, "position": (0.0, 0.0, -2.0), "material": "PC"}
+    plate_before = scene.optic.model_copy(update=changes)
+    train = scene.model_copy(update={"elements": (plate_before, *scene.elements)})
+    photo = photograph(train, white(scene), heights, LIGHTS["equal"])
+    x = (np.arange(48) + 0.5) / 4 - 6
+    places = [x @ each.rgb.sum(axis=0) / each.rgb.sum(axis=(0, 1)) for each in (alone, photo)]
+    assert places[1] == pytest.approx(places[0], abs=0.01)
+    assert photo.rgb.sum() < 0.95 * alone.rgb.sum()  # the plate reflects
 
 
 def test_a_prism_parts_colours_by_snells_law(make_scene):

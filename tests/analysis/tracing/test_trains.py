@@ -9,7 +9,6 @@ import pytest
 from workbench.analysis.cells.image import Levels, imaging
 from workbench.analysis.cut_lens import tracing_cut
 from workbench.analysis.derivatives import irradiance_derivative
-from workbench.analysis.photo.photo import photograph
 from workbench.analysis.shading import shading_of
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
@@ -290,11 +289,10 @@ class TestChecksOfTrains:
         [
             lambda scene, heights: irradiance_derivative(scene, heights, (2, 2)),
             lambda scene, heights: finished(tracing_cut(scene, heights, np.ones((16, 16)), None)),
-            lambda scene, heights: photograph(scene, np.ones((16, 16)), heights),
             lambda scene, heights: shading_of(scene, heights, 1),
             lambda scene, heights: Levels(scene, heights),
         ],
-        ids=["derivative", "cut", "photo", "shading", "cells"],
+        ids=["derivative", "cut", "shading", "cells"],
     )
     def test_what_knows_one_element_refuses_a_train(self, refusing):
         scene = scene_of(COLLIMATED, list(self.elements))

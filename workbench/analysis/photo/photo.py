@@ -1,9 +1,9 @@
 """The image on the screen as a camera would see it, in colour.
 
-Each wavelength is traced by the independent check with the index that the material has there: by
-cells, or by random rays where the source has very many points. The source has its size, and faces
-reflect as much as they do at that index. What is left out: diffraction, light that is reflected
-within the lens, and the optics of the camera itself.
+Each wavelength is traced by the independent check with the indices of the materials there: by
+cells, or by random rays for very many points of the source and for trains. The source has its size,
+and faces reflect as much as they do at these indices. What is left out: diffraction, light that is
+reflected within the lens, and the optics of the camera itself.
 """
 
 import math
@@ -110,7 +110,6 @@ def photographing(
 ) -> Steps[Photo]:
     """`photograph` in steps."""
     scene.check_one_image("the predicted photo")
-    scene.check_one_element("the predicted photo")
     check_body(scene, heights)
     light = light or light_of(scene)
     wavelengths, step = _wavelengths(scene, heights, light)
@@ -134,37 +133,41 @@ def photographing(
 
 
 def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
-    """Return the scene with the index at a wavelength, also outside the range of the formula."""
-    material = _material(scene)
-    if material is None:
-        return scene
-    index = CustomIndex(index=material.index(wavelength_um))
-    return scene.with_optic(scene.optic.model_copy(update={"material": index}))
+    """Return the scene with the indices at a wavelength, also outside the range of the formula."""
+    for number, material in _materials(scene).items():
+        index = CustomIndex(index=material.index(wavelength_um))
+        element = scene.elements[number].model_copy(update={"material": index})
+        scene = scene.with_element(number, element)
+    return scene
 
 
-def _material(scene: Scene) -> Material | None:
-    """Catalogue material of the lens; None without known dispersion."""
-    name = scene.optic.material if isinstance(scene.optic, Lens) else None
-    return CATALOGUE[name] if isinstance(name, str) else None
+def _materials(scene: Scene) -> dict[int, Material]:
+    """Catalogue materials by the numbers of elements; others have no known dispersion."""
+    names = {
+        number: element.material
+        for number, element in enumerate(scene.elements)
+        if isinstance(element, Lens)
+    }
+    return {number: CATALOGUE[name] for number, name in names.items() if isinstance(name, str)}
 
 
 def _wavelengths(
     scene: Scene, heights: Mapping[str, Array], light: Illuminant
 ) -> tuple[Array, float]:
-    """Wavelengths at equal steps of the index, or of lines, and the distance of their images."""
+    """Wavelengths at equal steps of the indices' sum, or of lines; distance of their images."""
     if light.lines:
         lines = [wavelength for wavelength, _ in light.lines]
         lit = [at_wavelength(scene, wavelength) for wavelength in lines]
         steps_apart = [_apart(one, other, heights) for one, other in pairwise(lit)]
         return np.array(lines), max(steps_apart, default=0.0)
-    material = _material(scene)
-    if material is None:
+    materials = _materials(scene).values()
+    if not materials:
         return np.array([(SHORTEST + LONGEST) / 2]), 0.0
     first, last = (at_wavelength(scene, end) for end in (SHORTEST, LONGEST))
     apart = _apart(first, last, heights)
     number = min(max(math.ceil(apart) + 1, _FEWEST), _MOST)
     fine = np.linspace(SHORTEST, LONGEST, 301)
-    index = np.array([material.index(each) for each in fine.tolist()])
+    index = np.array([sum(each.index(um) for each in materials) for um in fine.tolist()])
     steps = np.linspace(index[0], index[-1], number)
     return np.interp(-steps, -index, fine), apart / (number - 1)
 
@@ -198,10 +201,10 @@ class _Tracer:
 
     def trace(self, scene: Scene) -> Steps[Array]:
         """Part of the emitted flux in each pixel, (n_y, n_x)."""
-        levels = Levels(scene, self._heights)
-        self.by_cells = levels.possible
+        levels = None if scene.is_train else Levels(scene, self._heights)
+        self.by_cells = levels is not None and levels.possible
         self._traced += 1
-        if not levels.possible:
+        if levels is None or not levels.possible:
             return (yield from self._by_rays(scene))
         if self._level is not None:
             return (yield from levels.drawing(self._level).tracing(self._threads))
