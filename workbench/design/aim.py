@@ -58,14 +58,7 @@ class _Aim(NamedTuple):
 def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES) -> First | None:
     """A first lens by transport; see `first_of`, and for several images `first_of_several`.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        As for `first_of`.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v).
     """
     scattering = Scattering.of(scene) if len(scene.images) == 1 else None
     scene = film_scene(scene)

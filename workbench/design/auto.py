@@ -42,16 +42,8 @@ from workbench.scene import Scene
 def auto_steps(room: Room) -> Generator[Step, None, str]:
     """Evaluate lens after lens; see `workbench.design.run.run`.
 
-    Returns
-    -------
-    str
-        Why it ended of its own accord.
-
-    Raises
-    ------
-    RunFailed
-        If no light comes near the screen even from the first lens by transport, or the loss or its
-        gradient is not finite.
+    Returns why it ended of its own accord. Raises `RunFailed` if no light comes near the screen
+    even from the first lens by transport, or the loss or its gradient is not finite.
     """
     scene, target, locked = room.scene, room.target, room.locked
     device = device_of(scene)
@@ -98,17 +90,8 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
 def auto_judged(scene: Scene, target: Array, heights: Mapping[str, Array]) -> Step | None:
     """The best lens of a run in the light of beams that it was not fitted to.
 
-    Parameters
-    ----------
-    scene, target
-        As for `Room`.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face.
-
-    Returns
-    -------
-    Step or None
-        The step to report; None where the run compared lenses by as many beams.
+    `heights` (n_u, n_v): control heights of each freeform face. Returns the step to report; None
+    where the run compared lenses by as many beams.
     """
     lens = tensors_of(heights, scene)
     image = judging_image(scene, target, lens, _mirrored(scene, target, heights))

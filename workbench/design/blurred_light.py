@@ -18,14 +18,9 @@ class LightBlurring:
 
     Its own adjoint takes real transforms, where torch's of a real transform is a complex one.
 
-    Parameters
-    ----------
-    kernels : Tensor, shape (parts parts, 2 m_y + 1, 2 m_x + 1)
-        Blurs about the middles of the parts of a pixel, row by row.
-    changes : Tensor, shape (k, parts parts, 2 m_y + 1, 2 m_x + 1)
-        Their changes.
-    factors : Tensor, shape (k, n_y, n_x)
-        What light in each pixel is multiplied by before it is blurred by a change.
+    `kernels` (parts parts, 2 m_y + 1, 2 m_x + 1): blurs about the middles of the parts of a pixel,
+    row by row; `changes` (k, parts parts, 2 m_y + 1, 2 m_x + 1): their changes; `factors` (k, n_y,
+    n_x): what light in each pixel is multiplied by before it is blurred by a change.
     """
 
     def __init__(self, kernels: Tensor, changes: Tensor, factors: Tensor) -> None:

@@ -40,16 +40,8 @@ from workbench.scene import Scene
 class BlurredPlan:
     """Images of the middle of a source, blurred; as `workbench.optics.beam_plan.BeamPlan`.
 
-    Parameters
-    ----------
-    scene : Scene
-        What is traced.
-    cells : tuple[int, int]
-        Cells along x and y between the rays.
-    blur : LensBlur
-        What the parts of the lens make of the source.
-    mirrored : tuple[bool, bool]
-        As for `BeamPlan`.
+    `scene`: what is traced; `cells`: cells along x and y between the rays; `blur`: what the parts
+    of the lens make of the source.
     """
 
     def __init__(

@@ -16,21 +16,10 @@ _GROWTH = 1.25  # from one size to the next
 def bump(net: ControlNet, index: tuple[int, int], radius: float) -> tuple[Block, Array]:
     """How much each control point follows one in the middle of a brush.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    index : tuple[int, int]
-        The control point in the middle, along x and along y.
-    radius : float
-        Of the brush, scene units; 0 for the control point alone.
-
-    Returns
-    -------
-    block : tuple of slices
-        The part of the net that the brush reaches.
-    weights : ndarray, shape of the block
-        1 in the middle, smoothly falling to 0 at the radius: (1 − (d / radius)²)².
+    `net`: the control net; `index`: the control point in the middle, along x and along y; `radius`:
+    of the brush, scene units; 0 for the control point alone. Returns `block`: the part of the net
+    that the brush reaches; `weights`: 1 in the middle, smoothly falling to 0 at the radius: (1 − (d
+    / radius)²)².
     """
     block, squares = [], []
     for at, i in zip(net.positions, index, strict=True):
@@ -45,15 +34,9 @@ def bump(net: ControlNet, index: tuple[int, int], radius: float) -> tuple[Block,
 def resized(net: ControlNet, radius: float, steps: int) -> float:
     """Radius of a brush some steps larger or, if they are negative, smaller.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    radius : float
-        Of the brush, scene units.
-    steps : int
-        The smallest brush is a single point, the next one takes its neighbours along, the
-        largest one reaches over the whole lens.
+    `net`: the control net; `radius`: of the brush, scene units; `steps`: the smallest brush is a
+    single point, the next one takes its neighbours along, the largest one reaches over the whole
+    lens.
     """
     least = _SMALLEST * max(float(np.diff(at).max()) for at in net.positions)
     for _ in range(abs(steps)):
@@ -70,20 +53,9 @@ class Stroke:
     Heights stay in the range that the optic allows, which keeps its minimal thickness as well (see
     `HeightLimits`); locked control points stay where they are.
 
-    Parameters
-    ----------
-    optic : Element
-        The lens or mirror.
-    face : str
-        The name of the face that is shaped.
-    heights : ndarray, shape (n_u, n_v)
-        Its control heights before, scene units.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points that stay.
-    index : tuple[int, int]
-        The control point in the middle of the brush.
-    radius : float
-        Of the brush, scene units.
+    `optic`: the lens or mirror; `face`: the name of the face that is shaped; `heights` (n_u, n_v):
+    its control heights before, scene units; `locked` (n_u, n_v): control points that stay; `index`:
+    the control point in the middle of the brush; `radius`: of the brush, scene units.
     """
 
     def __init__(

@@ -20,17 +20,10 @@ _HIGH, _FINER = 0.05, 2.0
 
 @dataclass(frozen=True)
 class CoarseNet:
-    """A net that keeps a lens from its target.
+    """A net that keeps a lens from its target."""
 
-    Attributes
-    ----------
-    error : float
-        Relative L2 error that is left.
-    shape, finer : tuple[int, int]
-        Control points of the lens, and as many as the program would choose.
-    """
-
-    error: float
+    error: float  # relative L2 error that is left
+    # Control points of the lens, and as many as the program would choose.
     shape: tuple[int, int]
     finer: tuple[int, int]
 
@@ -54,14 +47,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     None where something else may be the reason: a run that was cut off, limits of the heights, lost
     or grazing light, a light source of some size, or bends that are to be gentle.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale.
-    result : Result
-        Of a run for them.
+    `target` (n_y, n_x): the wanted image in any scale; `result`: of a run for them.
     """
     state = result.state
     error = relative_error(state, target)

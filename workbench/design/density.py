@@ -5,23 +5,16 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Density:
-    """Samples along an axis, or cells between them.
+    """Samples along an axis, or cells between them."""
 
-    Attributes
-    ----------
-    per_pixel, per_control_point : float
-        For each pixel along it, and for each control point, at least.
-    enough : float
-        So many for each pixel are enough also for the control points of a fine net, as long as
-        there are ``seen`` of them for each.
-    seen : float
-        For each control point, whatever is enough: waves of the face between samples are seen by
-        none.
-    """
-
+    # For each pixel along it, and for each control point, at least.
     per_pixel: float
     per_control_point: float
+    # So many for each pixel are enough also for the control points of a fine net, as long as there
+    # are ``seen`` of them for each.
     enough: float
+    # For each control point, whatever is enough: waves of the face between samples are seen by
+    # none.
     seen: float
 
     def along(self, pixels: int, points: int) -> float:

@@ -25,25 +25,16 @@ _STEPS, _BEAMS, _MOST_STEPS = 5, 768**2, 8
 
 
 class Descent(NamedTuple):
-    """How a run descends, by what the size of the source does to the image.
+    """How a run descends, by what the size of the source does to the image."""
 
-    Attributes
-    ----------
-    power : float
-        Waves of the net are made small in proportion to this power of their periods; see `Waves`.
-    gain, points : float
-        It ends when steps together lower the error by less than this part of it, or by less than
-        these points.
-    longest : float
-        Part of the waves along each axis, the longest ones, that change.
-    above : float
-        It is left to the next one where the error is less than this from the beginning.
-    """
-
+    # Waves of the net are made small in proportion to this power of their periods; see `Waves`.
     power: float
+    # It ends when steps together lower the error by less than this part of it, or by less than
+    # these points.
     gain: float
     points: float
-    longest: float = 1.0
+    longest: float = 1.0  # part of the waves along each axis, the longest ones, that change
+    # It is left to the next one where the error is less than this from the beginning.
     above: float = 0.0
 
 
@@ -87,35 +78,12 @@ def descend(
 ) -> Generator[Step, None, str]:
     """Minimise by one descent after the other, for as many steps as are left.
 
-    Parameters
-    ----------
-    image : AnyImage
-        By which lenses are compared.
-    evaluated : callable
-        Evaluates all parameters, shape (points,), which it also gets as the net of each face.
-    parameters : mapping of str to Tensor, shape (n_u, n_v)
-        Where to begin.
-    waves_of : callable
-        Makes the waves of a descent.
-    descents : sequence of Descent
-        At least one.
-    left : int
-        The most steps.
-
-    Yields
-    ------
-    Step
-        That of the beginning, then those of all descents.
-
-    Returns
-    -------
-    str
-        Why the last descent ended of its own accord.
-
-    Raises
-    ------
-    UnbalancedAccount
-        If the light of the beginning does not add up. Of a later trial this makes its step shorter.
+    `image`: by which lenses are compared; `evaluated`: evaluates all parameters, shape (points,),
+    which it also gets as the net of each face; `parameters` (n_u, n_v): where to begin; `waves_of`:
+    makes the waves of a descent; `descents`: at least one; `left`: the most steps. Yields that of
+    the beginning, then those of all descents. Returns why the last descent ended of its own accord.
+    Raises `UnbalancedAccount` if the light of the beginning does not add up. Of a later trial this
+    makes its step shorter.
     """
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
     every = [waves_of(descent) for descent in descents]

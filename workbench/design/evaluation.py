@@ -15,19 +15,9 @@ class Evaluator:
 
     All that does not depend on the lens is computed once, here.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    heights : ControlHeights
-        Control heights of a lens like those to come, scene units; says how far their light falls.
-
-    Raises
-    ------
-    Refused
-        If the scene asks for a device that is not there.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `heights`: control heights of a
+    lens like those to come, scene units; says how far their light falls. Raises `Refused` if the
+    scene asks for a device that is not there.
     """
 
     def __init__(self, scene: Scene, target: Array, heights: ControlHeights) -> None:
@@ -41,17 +31,8 @@ class Evaluator:
     def snapshot(self, heights: ControlHeights, earlier: Result | None = None) -> Snapshot:
         """A lens and its light, as the last of its run.
 
-        Parameters
-        ----------
-        heights : ControlHeights
-            Control heights of each freeform face by its name, scene units.
-        earlier : Result, optional
-            Where the lens comes from; its iterations and seconds are counted in.
-
-        Raises
-        ------
-        RunFailed
-            If no light reaches the screen.
+        `earlier`: where the lens comes from; its iterations and seconds are counted in. Raises
+        `RunFailed` if no light reaches the screen.
         """
         with torch.no_grad():
             _, step = self._image.compare(tensors_of(heights, self._scene))

@@ -16,17 +16,8 @@ from workbench.scene import Scene
 class FilteredImage:
     """Compares lenses with the target by the light that lands on the screen.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-
-    Raises
-    ------
-    Refused
-        If the scene asks for a device that is not there, or for several images.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y. Raises `Refused` if the scene
+    asks for a device that is not there, or for several images.
     """
 
     def __init__(self, scene: Scene, target: Array) -> None:
@@ -40,10 +31,7 @@ class FilteredImage:
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """The loss, and the step to report.
 
-        Raises
-        ------
-        RunFailed
-            If no light reaches the screen, or the loss is not finite.
+        Raises `RunFailed` if no light reaches the screen, or the loss is not finite.
         """
         traced = self._plan.trace(heights)
         check_light(traced.flux.detach(), traced.account, self._scene)

@@ -10,17 +10,8 @@ from workbench.scene import DrawnTarget, Scene
 def with_targets(scene: Scene, folder: Path) -> Scene:
     """The scene with the targets of its further images drawn, those that have yet to be.
 
-    Parameters
-    ----------
-    scene : Scene
-        What it carries along of an image file counts, rather than the file.
-    folder : Path
-        Where a relative image path starts.
-
-    Raises
-    ------
-    Refused
-        If a target cannot be drawn.
+    `scene`: what it carries along of an image file counts, rather than the file; `folder`: where a
+    relative image path starts. Raises `Refused` if a target cannot be drawn.
     """
     if len(scene.images) == 1:
         return scene

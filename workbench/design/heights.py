@@ -21,24 +21,15 @@ class HeightRange:
 
     De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole face then keeps
     within the limits, and both faces apart by the minimal thickness, at every iteration.
-
-    Attributes
-    ----------
-    lower, upper : Tensor, shape (n_u, n_v), float64
-        Ends of the interval, scene units.
-    rest : Tensor, shape (n_u, n_v), float64
-        Parameters of the undesigned lens: base plus the middle of the height range.
-    kept : Tensor, shape (n_u, n_v), float64, optional
-        Heights that no parameter changes; NaN where one does.
-    face : str
-        Name of the face.
     """
 
+    # (n_u, n_v), ends of the interval, scene units.
     lower: Tensor
     upper: Tensor
+    # (n_u, n_v), parameters of the undesigned lens: base plus the middle of the height range.
     rest: Tensor
-    kept: Tensor | None = None
-    face: str = "lens.back"
+    kept: Tensor | None = None  # (n_u, n_v), heights that no parameter changes; NaN where one does
+    face: str = "lens.back"  # name of the face
 
     @classmethod
     def of(
@@ -53,10 +44,7 @@ class HeightRange:
     ) -> "HeightRange":
         """The range between the limits of a face.
 
-        Raises
-        ------
-        ValueError
-            If the lens leaves its range to the run; see `workbench.design.room`.
+        Raises `ValueError` if the lens leaves its range to the run; see `workbench.design.room`.
         """
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
@@ -68,12 +56,8 @@ class HeightRange:
     def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
         """The same range, but locked control points keep their heights exactly.
 
-        Parameters
-        ----------
-        locked : ndarray of bool, shape (n_u, n_v), optional
-            Which; none by default.
-        start : ndarray, shape (n_u, n_v), optional
-            Their heights, in the range or not; those of the undesigned lens by default.
+        `locked` (n_u, n_v): which; none by default; `start` (n_u, n_v): their heights, in the range
+        or not; those of the undesigned lens by default.
         """
         if locked is None:
             return self
@@ -98,15 +82,8 @@ class HeightRange:
 class FreeHeights:
     """The ranges of all freeform faces of a lens; parameters and heights by the names of faces.
 
-    Parameters
-    ----------
-    ranges : iterable of HeightRange
-        One for each face, in the order in which light meets them.
-
-    Attributes
-    ----------
-    ranges : dict of str to HeightRange
-        The same by the names of their faces.
+    `ranges`: one for each face, in the order in which light meets them. `ranges`: the same by the
+    names of their faces.
     """
 
     def __init__(self, ranges: Iterable[HeightRange]) -> None:

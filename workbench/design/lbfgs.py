@@ -15,21 +15,12 @@ Seen = TypeVar("Seen", covariant=True)
 
 @dataclass(frozen=True)
 class Evaluation(Generic[Seen]):
-    """Value and gradient at a point.
+    """Value and gradient at a point."""
 
-    Attributes
-    ----------
-    value : float
-        Value of the objective.
-    differentiate : callable
-        Return the gradient; called once, and not at all where no step begins.
-    seen : object
-        Whatever else the objective saw.
-    """
-
-    value: float
+    value: float  # value of the objective
+    # Return the gradient; called once, and not at all where no step begins.
     differentiate: Callable[[], Tensor]
-    seen: Seen
+    seen: Seen  # whatever else the objective saw
 
     @cached_property
     def gradient(self) -> Tensor:
@@ -48,19 +39,12 @@ _MAX_TRIALS = 12
 
 
 class _Pair(NamedTuple):
-    """A step, and what it did to the gradient.
+    """A step, and what it did to the gradient."""
 
-    Attributes
-    ----------
-    moved, turned : Tensor, shape (n,)
-        The step, and the difference of both gradients.
-    product : float
-        Their scalar product.
-    """
-
+    # (n,), the step, and the difference of both gradients.
     moved: Tensor
     turned: Tensor
-    product: float
+    product: float  # their scalar product
 
 
 def remembered(count: int) -> int:
@@ -76,23 +60,11 @@ def minimise(
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
-    Parameters
-    ----------
-    objective : callable
-        Takes a point, shape (n,), and returns an `Evaluation` with a value that is not negative.
-    x : Tensor, shape (n,)
-        Where to begin.
-    max_step : float
-        The most by which a step changes any coordinate.
-    eased : callable
-        Takes a gradient, and gives the direction in which the objective falls most steeply by the
-        measure in which steps are equally easy: linear, symmetric and positive. By default the
-        gradient itself.
-
-    Yields
-    ------
-    tuple[Tensor, Evaluation]
-        The beginning, then each accepted point.
+    `objective`: takes a point, shape (n,), and returns an `Evaluation` with a value that is not
+    negative; `x` (n,): where to begin; `max_step`: the most by which a step changes any coordinate;
+    `eased`: takes a gradient, and gives the direction in which the objective falls most steeply by
+    the measure in which steps are equally easy: linear, symmetric and positive. By default the
+    gradient itself. Yields the beginning, then each accepted point.
 
     Notes
     -----

@@ -36,35 +36,21 @@ _LEFT = 0.5
 
 @dataclass(frozen=True, eq=False)
 class BlurChange:
-    """How a blur differs from its mean over an image, by the factors of `changes_at`.
+    """How a blur differs from its mean over an image, by the factors of `changes_at`."""
 
-    Attributes
-    ----------
-    factors : ndarray, shape (3, k)
-        Of the powers of x and y up to the third, of width along x and along y and of correlation.
-    half_extent : tuple[float, float]
-        Pixels from the middle of the receiver where x and y are 1; beyond, nothing changes.
-    """
-
+    # (3, k), of the powers of x and y up to the third, of width along x and along y and of
+    # correlation.
     factors: Array
+    # Pixels from the middle of the receiver where x and y are 1; beyond, nothing changes.
     half_extent: tuple[float, float]
 
     @classmethod
     def of(cls, scene: Scene, heights: Mapping[str, Tensor]) -> Self | None:
         """The change that a lens makes, from where light of the middle and rim of a source lands.
 
-        Parameters
-        ----------
-        scene : Scene
-            The design task, with a source of some size.
-        heights : mapping of str to Tensor, shape (n_u, n_v)
-            Control heights of the lens.
-
-        Returns
-        -------
-        BlurChange or None
-            None if that does not tell it: where no light lands, or light from several parts of the
-            lens lands at the same places.
+        `scene`: the design task, with a source of some size; `heights` (n_u, n_v): control heights
+        of the lens. Returns None if that does not tell it: where no light lands, or light from
+        several parts of the lens lands at the same places.
         """
         known = scene.model_copy(update={"source": of_known_size(scene.source, scene.optic)})
         spots = BeamPlan(known, Corners.and_of_source(*_PLACES, _RIM)).spots(heights)
@@ -89,14 +75,8 @@ class BlurChange:
     def at(self, pixels: tuple[int, int], margin: tuple[int, int]) -> Array:
         """Its values in the middles of pixels.
 
-        Parameters
-        ----------
-        pixels, margin : tuple[int, int]
-            Pixels of the receiver along x and y, and of the image beyond them on each side.
-
-        Returns
-        -------
-        ndarray, shape (3, n_y + 2 m_y, n_x + 2 m_x)
+        `pixels`, `margin`: pixels of the receiver along x and y, and of the image beyond them on
+        each side. Returns (3, n_y + 2 m_y, n_x + 2 m_x).
         """
         x, y = (
             ((np.arange(n + 2 * m) - (n + 2 * m - 1) / 2) / far).clip(-1, 1)
@@ -107,18 +87,10 @@ class BlurChange:
 
 @dataclass(frozen=True, eq=False)
 class LensBlur:
-    """What the places of a lens make of a source of some size.
+    """What the places of a lens make of a source of some size."""
 
-    Attributes
-    ----------
-    mean : Blur
-        What they make of it on average.
-    change : BlurChange, optional
-        How that differs from place to place of the image.
-    """
-
-    mean: Blur
-    change: BlurChange | None = None
+    mean: Blur  # what they make of it on average
+    change: BlurChange | None = None  # how that differs from place to place of the image
 
     def scaled(self, factor: float) -> Self:
         """Return it for so many times as many pixels along each axis."""

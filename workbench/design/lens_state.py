@@ -17,50 +17,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class FurtherLight:
-    """The light of a lens on the receiver of a further image.
+    """The light of a lens on the receiver of a further image."""
 
-    Attributes
-    ----------
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area there, row 0 at +y.
-    loss : float
-        Paper's loss of this image alone.
-    account : Account
-        Where the light goes.
-    """
-
-    irradiance: Array
-    loss: float
-    account: Account
+    irradiance: Array  # (n_y, n_x), flux per area there, row 0 at +y
+    loss: float  # Paper's loss of this image alone
+    account: Account  # where the light goes
 
 
 @dataclass(frozen=True, eq=False)
 class LensState:
-    """A lens and what has been computed of it.
-
-    Attributes
-    ----------
-    heights : ControlHeights
-        Control heights of each freeform face by its name, scene units.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y.
-    loss : float
-        Paper's loss (section 2.4) as the optimiser sees it; with further images that of an image
-        whose squared relative error is the weighted mean of all of them.
-    account : Account
-        Where the light goes.
-    shortfall : Shortfall, optional
-        What the task needs beyond the limits of the heights, where that is known to hinder it.
-    further : tuple of FurtherLight
-        The light of each further image, in their order.
-    """
+    """A lens and what has been computed of it."""
 
     heights: ControlHeights
-    irradiance: Array
+    irradiance: Array  # (n_y, n_x), flux per area on the screen, row 0 at +y
+    # Paper's loss (section 2.4) as the optimiser sees it; with further images that of an image
+    # whose squared relative error is the weighted mean of all of them.
     loss: float
-    account: Account
+    account: Account  # where the light goes
+    # What the task needs beyond the limits of the heights, where that is known to hinder it.
     shortfall: Shortfall | None = None
-    further: tuple[FurtherLight, ...] = ()
+    further: tuple[FurtherLight, ...] = ()  # the light of each further image, in their order
 
     @property
     def lights(self) -> "tuple[LensState | FurtherLight, ...]":
@@ -86,23 +62,11 @@ class LensState:
     ) -> Self:
         """What a tracer has computed, out of its device and float type.
 
-        Parameters
-        ----------
-        heights : mapping of str to Tensor, shape (n_u, n_v)
-            Control heights of each freeform face by its name.
-        flux : Tensor, shape (n_y, n_x)
-            Light in each pixel.
-        pixel_measure : float or ndarray
-            What each pixel covers; see `workbench.scene.AnyReceiver`.
-        loss : Tensor
-            Paper's loss, one number.
-        account : Account
-            Where the light goes.
-
-        Raises
-        ------
-        UnbalancedAccount
-            If it does not add up; see `workbench.optics.account.Account.settled`.
+        `heights` (n_u, n_v): control heights of each freeform face by its name; `flux` (n_y, n_x):
+        light in each pixel; `pixel_measure`: what each pixel covers; see
+        `workbench.scene.AnyReceiver`; `loss`: Paper's loss, one number; `account`: where the light
+        goes. Raises `UnbalancedAccount` if it does not add up; see
+        `workbench.optics.account.Account.settled`.
         """
         settled = account.settled()
         irradiance = _copy(flux)
@@ -115,12 +79,8 @@ class LensState:
     def scaled(self, factor: float, densities: Sequence[float]) -> Self:
         """The same lens with lengths in another unit.
 
-        Parameters
-        ----------
-        factor : float
-            So many of them are one of now.
-        densities : sequence of float
-            By these the irradiance of each image is divided.
+        `factor`: so many of them are one of now; `densities`: by these the irradiance of each image
+        is divided.
         """
         first, *others = (
             _sealed(light.irradiance / density)

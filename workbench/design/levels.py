@@ -26,19 +26,12 @@ from workbench.scene import Scene, WantedImage
 
 @dataclass(frozen=True)
 class Level(Density):
-    """How many cells of light make an image, along each axis for light of one origin.
+    """How many cells of light make an image, along each axis for light of one origin."""
 
-    Attributes
-    ----------
-    thinning : float
-        With which power of the number of origins of the light cells along an axis get fewer. In
-        proportion would be 0.5; but all see the same face, and a descent has to see all of it.
-    origins : int
-        Times as many origins of the light of a source of some size.
-    """
-
+    # With which power of the number of origins of the light cells along an axis get fewer. In
+    # proportion would be 0.5; but all see the same face, and a descent has to see all of it.
     thinning: float
-    origins: int = 1
+    origins: int = 1  # times as many origins of the light of a source of some size
 
 
 # Cells for each control point along an axis, at least: waves of the face between them are seen by
@@ -130,26 +123,8 @@ def image_of(
 ) -> WideImage:
     """The image by which a level compares lenses.
 
-    Parameters
-    ----------
-    level : Level
-        Says how many cells make it.
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    light_extent : tuple[float, float]
-        As for `WideImage`; see `light_extent_of`.
-    mirrored : tuple[bool, bool]
-        As for `WideImage`.
-    blur : LensBlur, optional
-        As for `WideImage`; see `lens_blur_of`.
-    asked_light : float, optional
-        As for `WideImage`; see `asked_light_of`.
-    cells : Corners, optional
-        In place of those of the level; see `fitting_source_cells`.
-    scattering : Scattering, optional
-        As for `WideImage`.
+    `level`: says how many cells make it; `target` (n_y, n_x): the wanted image in any scale, row 0
+    at +y; `cells`: in place of those of the level; see `fitting_source_cells`.
     """
     cells = cells or cells_of(level, scene, mirrored, sharp=blur is not None)
     how = mirrored, blur, asked_light, scattering
@@ -161,12 +136,7 @@ def cells_of(
 ) -> Corners:
     """Cells of the image by which a level compares lenses.
 
-    Parameters
-    ----------
-    level, scene, mirrored
-        As for `image_of`.
-    sharp : bool
-        Whether light of the middle of the source stands for all of it, as with a blur.
+    `sharp`: whether light of the middle of the source stands for all of it, as with a blur.
     """
     origins = 1 if sharp else _origins(scene)
     if origins > 1:
@@ -193,12 +163,8 @@ def finest_image(
 ) -> AnyImage:
     """The image by which a run compares lenses like one that is there.
 
-    Parameters
-    ----------
-    scene, target, mirrored
-        As for `image_of`.
-    heights : mapping of str to Tensor, shape (n_u, n_v)
-        Control heights of that lens; they say how far its light falls and how it is blurred.
+    `heights` (n_u, n_v): control heights of that lens; they say how far its light falls and how it
+    is blurred.
     """
     return _images(FINE, scene, target, heights, mirrored)
 
@@ -306,12 +272,7 @@ def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None
     photograph in the sun, of which a run then saw 1.9 % in place of 2.2 % as its error. How the
     blur differs from place to place of the image comes from single rays.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    heights : mapping of str to Tensor, shape (n_u, n_v)
-        Control heights of a lens like those to come.
+    `heights` (n_u, n_v): control heights of a lens like those to come.
     """
     if _origins(scene) == 1 or not one_over_the_lens(scene):
         return None

@@ -11,17 +11,8 @@ from workbench.scene.stages import refused_in_stage
 def with_light(scene: Scene, folder: Path) -> Scene:
     """The scene with what its sources' files hold, those that are not too large to be kept.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its sources are used. What they carry already stays.
-    folder : Path
-        Where relative names start.
-
-    Raises
-    ------
-    Refused
-        If a file cannot be read or used.
+    `scene`: its sources are used. What they carry already stays; `folder`: where relative names
+    start. Raises `Refused` if a file cannot be read or used.
     """
     missing = [name for name, data in scene.light_files.items() if data is None]
     if missing:

@@ -25,22 +25,13 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class HeightLimits:
-    """The interval of each control height, and the lens before any design.
+    """The interval of each control height, and the lens before any design."""
 
-    Attributes
-    ----------
-    lower, upper : ndarray, shape (n_u, n_v)
-        Ends of the intervals, scene units; the upper one may be infinite.
-    undesigned : ndarray, shape (n_u, n_v)
-        Base plus the middle of the height range, within the limits.
-    shaping : ndarray of bool, shape (n_u, n_v)
-        Which of them bear on the lens: only these have to fit.
-    """
-
+    # (n_u, n_v), ends of the intervals, scene units; the upper one may be infinite.
     lower: Array
     upper: Array
-    undesigned: Array
-    shaping: Mask
+    undesigned: Array  # (n_u, n_v), base plus the middle of the height range, within the limits
+    shaping: Mask  # (n_u, n_v), which of them bear on the lens: only these have to fit
 
     @classmethod
     def of_scene(cls, scene: Scene, part: float = _USUAL) -> dict[str, "HeightLimits"]:

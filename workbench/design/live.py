@@ -45,12 +45,8 @@ _BY_TRANSPORT = 0.06
 class LiveDesign:
     """Designs the lenses of tasks each of which is an edit of the one before.
 
-    Parameters
-    ----------
-    generate : callable, optional
-        Makes the snapshots of a run; `workbench.design.run.run` by default.
-    refit : callable, optional
-        Fits a face for an edited task; `workbench.design.transport.refitted` by default.
+    `generate`: makes the snapshots of a run; `workbench.design.run.run` by default; `refit`: fits a
+    face for an edited task; `workbench.design.transport.refitted` by default.
 
     Examples
     --------
@@ -73,33 +69,13 @@ class LiveDesign:
     ) -> Generator[Snapshot, None, str]:
         """Design the lens of a session.
 
-        Parameters
-        ----------
-        session : Session
-            The task after the edit, with the lens as it stands, if there is one.
-        goes_on : bool
-            Begin with the best lens that was made here last, rather than with the session's.
-        before : Session, optional
-            The task before the edit, with the lens that it had, unless the design goes on.
-
-        Yields
-        ------
-        Snapshot
-            As from `workbench.design.run.run`, without stages. The first one, of iteration 0, is
-            the lens that is there in its new light; it is left out where a face that sends light
-            where the former one sent it comes first.
-
-        Returns
-        -------
-        str
-            Why there are no more.
-
-        Raises
-        ------
-        Refused
-            If the scene cannot be run here.
-        RunFailed
-            If the run cannot go on.
+        `session`: the task after the edit, with the lens as it stands, if there is one; `goes_on`:
+        begin with the best lens that was made here last, rather than with the session's; `before`:
+        the task before the edit, with the lens that it had, unless the design goes on. Yields as
+        from `workbench.design.run.run`, without stages. The first one, of iteration 0, is the lens
+        that is there in its new light; it is left out where a face that sends light where the
+        former one sent it comes first. Returns why there are no more. Raises `Refused` if the scene
+        cannot be run here; `RunFailed` if the run cannot go on.
         """
         history = History()
         goes_on = goes_on and self._last is not None

@@ -31,19 +31,9 @@ def measure_of(receiver: AnyReceiver, device: torch.device, margin: int = 0) -> 
 def paper_loss(flux: Tensor, target_share: Tensor, measure: Tensor | float = 1.0) -> Tensor:
     """Loss of de Koning et al. (2023), eq. 30.
 
-    Parameters
-    ----------
-    flux : Tensor, shape (n_y, n_x)
-        Light in each pixel.
-    target_share : Tensor, shape (n_y, n_x)
-        Wanted image, sums to 1.
-    measure : Tensor, optional
-        What pixels cover, relative to each other: the image is the light over that.
-
-    Returns
-    -------
-    Tensor, scalar
-        Frobenius norm of the difference of the sum-normalised images over √(n_x n_y).
+    `flux` (n_y, n_x): light in each pixel; `target_share` (n_y, n_x): wanted image, sums to 1;
+    `measure`: what pixels cover, relative to each other: the image is the light over that. Returns
+    frobenius norm of the difference of the sum-normalised images over √(n_x n_y).
     """
     density = flux / measure
     total = density.sum()
@@ -61,19 +51,8 @@ def relative_error(state: LensState, target: Array) -> float:
 def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
     """Stop a run whose image has no light that it could move.
 
-    Parameters
-    ----------
-    flux : Tensor
-        Light in each pixel of the image that the run looks at.
-    account : Account
-        Where the light went.
-    scene : Scene
-        The design task.
-
-    Raises
-    ------
-    RunFailed
-        With where it went, and what would help.
+    `flux`: light in each pixel of the image that the run looks at; `account`: where the light went.
+    Raises `RunFailed` with where it went, and what would help.
     """
     if flux.sum() > 0:
         return
@@ -98,10 +77,7 @@ def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
 def check_finite(loss: Tensor, account: Account) -> None:
     """Stop a run whose loss is not a number.
 
-    Raises
-    ------
-    RunFailed
-        With how much light is on the screen.
+    Raises `RunFailed` with how much light is on the screen.
     """
     if not torch.isfinite(loss):
         part = account.efficiency
@@ -117,10 +93,7 @@ def check_finite(loss: Tensor, account: Account) -> None:
 def check_gradient(gradient: Tensor) -> None:
     """Stop a run whose gradient is not finite.
 
-    Raises
-    ------
-    RunFailed
-        With how many control points are concerned.
+    Raises `RunFailed` with how many control points are concerned.
     """
     bad = int((~torch.isfinite(gradient)).sum())
     if bad:

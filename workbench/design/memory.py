@@ -70,10 +70,7 @@ _LARGE = 1e9
 def auto_memory(scene: Scene) -> int:
     """Bytes that a run of ``auto`` takes beyond what the program has, about.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task, without stages, on a definite net.
+    `scene`: the design task, without stages, on a definite net.
     """
     return round(_PROGRAM + max(_of_start(scene), _of_descent(scene)))
 
@@ -89,10 +86,7 @@ def memory_notes(scene: Scene) -> tuple[str, ...]:
 def check_auto(scene: Scene) -> None:
     """Refuse a run that would not fit into memory, before it begins.
 
-    Raises
-    ------
-    Refused
-        With what takes it, what is needed, what is there, and what would fit.
+    Raises `Refused` with what takes it, what is needed, what is there, and what would fit.
     """
     if scene.run.device != "cpu":
         return  # what a run takes there has not been measured

@@ -33,28 +33,17 @@ class Image(Protocol):
 
 
 class Method(NamedTuple):
-    """A way to search for a lens.
+    """A way to search for a lens."""
 
-    Attributes
-    ----------
-    steps : callable
-        Evaluates lens after lens in a room and returns why it ended.
-    image : callable
-        What it judges lenses by: for a scene, a target and the heights of a lens like those to
-        come.
-    check : callable
-        Refuses a scene that it cannot design.
-    notes : callable
-        What a run of a scene says of itself from the beginning.
-    judged : callable
-        The best lens of a run in light that it was not fitted to, of a scene, a target and the
-        control heights; None where the run has seen it so.
-    """
-
+    # Evaluates lens after lens in a room and returns why it ended.
     steps: Callable[[Room], Generator[Step, None, str]]
+    # What it judges lenses by: for a scene, a target and the heights of a lens like those to come.
     image: Callable[[Scene, Array, Heights], Image]
-    check: Callable[[Scene], None]
+    check: Callable[[Scene], None]  # refuses a scene that it cannot design
+    # What a run of a scene says of itself from the beginning.
     notes: Callable[[Scene], tuple[str, ...]]
+    # The best lens of a run in light that it was not fitted to, of a scene, a target and the
+    # control heights; None where the run has seen it so.
     judged: Callable[[Scene, Array, ControlHeights], Step | None]
 
 

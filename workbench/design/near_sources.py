@@ -41,17 +41,7 @@ _FEW, _TOO_FAR = (2, 2), 0.2
 def source_cells(scene: Scene, mirrored: tuple[bool, bool] = (False, False)) -> Corners | None:
     """Samples of the lens, and cells of the source between whose corners beams run.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    mirrored : tuple[bool, bool]
-        As for `BeamPlan`.
-
-    Returns
-    -------
-    Corners or None
-        None where the source is infinitely far, is made of points, or stands in a file.
+    Returns None where the source is infinitely far, is made of points, or stands in a file.
     """
     source, optic, receiver = scene.source, scene.optic, scene.receiver
     if scene.is_train or source.place is None or not source.continuous or source.light_files:
@@ -79,12 +69,7 @@ def fitting_source_cells(
 ) -> Corners | None:
     """See `source_cells`; None also where samples of a lens are too far apart.
 
-    Parameters
-    ----------
-    scene, mirrored
-        As for `source_cells`.
-    heights : mapping of str to Tensor, shape (n_u, n_v)
-        Control heights of a lens like those to come.
+    `heights` (n_u, n_v): control heights of a lens like those to come.
     """
     cells = source_cells(scene, mirrored)
     if cells is None:

@@ -35,19 +35,9 @@ def check_stages(
 ) -> None:
     """Refuse a run that could not be carried to its end.
 
-    Parameters
-    ----------
-    scenes : sequence of Scene
-        As `Scene.stage_scenes` gives them; the last is the scene itself.
-    first : int
-        Number of the stage that the run begins with.
-    start, locked
-        As for `workbench.design.run.run`.
-
-    Raises
-    ------
-    Refused
-        With the path of the field, in its stage if it is one.
+    `scenes`: as `Scene.stage_scenes` gives them; the last is the scene itself; `first`: number of
+    the stage that the run begins with. Raises `Refused` with the path of the field, in its stage if
+    it is one.
     """
     finished = scenes[-1]
     for stage, part in enumerate(scenes[first:], first):

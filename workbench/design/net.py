@@ -60,17 +60,8 @@ _PER_BLUR, _PER_FAR_BLUR = 5.0, 9.0
 def definite(scene: Scene, target: Array) -> Scene:
     """The scene with a net that is chosen, if that is left to the program and has yet to be done.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-
-    Returns
-    -------
-    Scene
-        The same object where there is nothing to choose.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y. Returns the same object where
+    there is nothing to choose.
 
     Examples
     --------

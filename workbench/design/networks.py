@@ -49,12 +49,7 @@ class Parameters(nn.Module):
 class FullLinks(nn.Module):
     """Layer whose neurons see every neuron of the layer before.
 
-    Attributes
-    ----------
-    weight : Parameter, shape (outputs, inputs)
-    bias : Parameter, shape (outputs,)
-    inputs : int
-        Links into a neuron.
+    `weight` (outputs, inputs); `bias` (outputs,); `inputs`: links into a neuron.
     """
 
     def __init__(self, inputs: int, outputs: int, dtype: torch.dtype) -> None:
@@ -75,16 +70,11 @@ class LocalLinks(nn.Module):
     every neuron its own bias. Those neurons are linked whose basis functions overlap. Links that
     would reach beyond the border do not exist.
 
-    Attributes
-    ----------
-    source, target : Tensor of int64, shape (links,)
-        Neurons before and after each link, counted along v first.
-    weight : Parameter, shape (links,)
-    bias : Parameter, shape (n_u * n_v,)
-    inputs : int
-        Links into a neuron that is not near the border.
+    `weight` (links,); `bias` (n_u * n_v,); `inputs`: links into a neuron that is not near the
+    border.
     """
 
+    # (links,), neurons before and after each link, counted along v first.
     source: Tensor
     target: Tensor
 
@@ -114,14 +104,9 @@ class Network(nn.Module):
 
     The tanh after the last layer is that of the height range.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Each layer has one neuron per control point.
-    links : str
-        "sparse" or "dense": how the second and third layer are linked to the one before.
-    dtype : torch.dtype
-        Single precision is enough: the heights themselves are kept in double precision.
+    `net`: each layer has one neuron per control point; `links`: "sparse" or "dense": how the second
+    and third layer are linked to the one before; `dtype`: single precision is enough: the heights
+    themselves are kept in double precision.
     """
 
     one: Tensor
@@ -174,14 +159,8 @@ def build(
     biases stay 0. "random" draws as torch's layers do, and then scales the last layer so that
     all parametrisations begin with lenses that are equally crooked.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Control net of the heights.
-    settings : Run
-        Which parametrisation, from which start, drawn by which seed.
-    device : torch.device or str
-        Where it computes.
+    `net`: control net of the heights; `settings`: which parametrisation, from which start, drawn by
+    which seed; `device`: where it computes.
     """
     kind = settings.parametrisation
     module = Parameters(net) if kind == "none" else Network(net, kind)

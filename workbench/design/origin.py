@@ -19,17 +19,8 @@ def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name
     The lens is looked for among the kept runs. Run settings are no part of a task: they say how to
     search, not what for.
 
-    Parameters
-    ----------
-    session : Session
-        Whose lens.
-    called : callable
-        Names a kept run.
-
-    Returns
-    -------
-    Said
-        For another task, with the name of the run and what differs.
+    `session`: whose lens; `called`: names a kept run. Returns for another task, with the name of
+    the run and what differs.
     """
     heights = session.heights
     if heights is None:

@@ -22,10 +22,7 @@ from workbench.scene import Scene
 def check_paper(scene: Scene) -> None:
     """Refuse several images, one without a gradient, or a network that does not fit into memory.
 
-    Raises
-    ------
-    Refused
-        With the path of the field.
+    Raises `Refused` with the path of the field.
     """
     if not scene.filter.smooth:
         raise Refused(
@@ -47,10 +44,7 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     plus how far the parametrisation has moved since its own start. So a run with a network goes on
     from any heights exactly, as if the biases of its last layer had been set to them.
 
-    Raises
-    ------
-    RunFailed
-        If the loss or its gradient is not finite.
+    Raises `RunFailed` if the loss or its gradient is not finite.
     """
     scene, start = room.scene, room.start
     device = device_of(scene)

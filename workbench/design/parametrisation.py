@@ -53,10 +53,7 @@ def memory_bytes(scene: Scene) -> int:
 def check_memory(scene: Scene) -> None:
     """Refuse what would not fit, before it is built.
 
-    Raises
-    ------
-    Refused
-        With the memory that is needed and that is there.
+    Raises `Refused` with the memory that is needed and that is there.
     """
     needed, available = memory_bytes(scene), available_memory(scene.run.device)
     if needed > available:

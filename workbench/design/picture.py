@@ -13,18 +13,8 @@ LARGEST_PICTURE = 16 << 20
 def picture_of(scene: Scene, folder: Path) -> bytes | None:
     """The content of the target's image file.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its target is used.
-    folder : Path
-        Where a relative image path starts.
-
-    Returns
-    -------
-    bytes or None
-        None for a built-in shape, and for a file that cannot be read or is larger than
-        `LARGEST_PICTURE`.
+    `scene`: its target is used; `folder`: where a relative image path starts. Returns None for a
+    built-in shape, and for a file that cannot be read or is larger than `LARGEST_PICTURE`.
     """
     return None if scene.image is None else content_of(folder / scene.image)
 

@@ -47,22 +47,11 @@ class Room:
     The first lens that transport finds tells the need. That takes a second, and is done when it is
     asked for.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task, without stages.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    start : mapping of str to ndarray, shape (n_u, n_v), optional
-        Control heights of each freeform face to go on from; an automatic range holds them.
-    locked : mapping of str to ndarray of bool, shape (n_u, n_v)
-        Control points that keep the heights that they begin with.
-
-    Attributes
-    ----------
-    limits : dict of str to HeightLimits
-        What the lens allows at each freeform face; an automatic thickness is settled when the first
-        lens is found.
+    `scene`: the design task, without stages; `target` (n_y, n_x): the wanted image in any scale,
+    row 0 at +y; `start` (n_u, n_v): control heights of each freeform face to go on from; an
+    automatic range holds them; `locked` (n_u, n_v): control points that keep the heights that they
+    begin with. `limits`: what the lens allows at each freeform face; an automatic thickness is
+    settled when the first lens is found.
     """
 
     def __init__(
@@ -172,10 +161,7 @@ class Room:
     def shortfall(self, lens: Mapping[str, Array]) -> Shortfall | None:
         """What the task needs beyond the limits; None where they do not seem to hinder it.
 
-        Parameters
-        ----------
-        lens : mapping of str to ndarray, shape (n_u, n_v)
-            Control heights of the faces of a lens of the run, scene units.
+        `lens` (n_u, n_v): control heights of the faces of a lens of the run, scene units.
         """
         return self._at_shaped_face(lens[self._face]) or self._at_entrance(lens)
 

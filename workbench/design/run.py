@@ -39,36 +39,15 @@ def run(
 ) -> Generator[Snapshot, None, str]:
     """Design a lens.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    start : mapping of str to ndarray, shape (n_u, n_v), optional
-        Control heights of each freeform face to go on from, by its name; by default the run begins
-        with the undesigned lens.
-    locked : mapping of str to ndarray of bool, shape (n_u, n_v)
-        Control points of each face that keep the heights that they begin with, exactly; none by
-        default. A run whose control points are all locked ends with its first lens.
-
-    Yields
-    ------
-    Snapshot
-        First the lens before any step, then one after each iteration; at last, unless the run has
-        seen it so, the best lens once more, in the light of beams that it was not fitted to.
-
-    Returns
-    -------
-    str
-        Why there are no more, as `History.follow` keeps it.
-
-    Raises
-    ------
-    Refused
-        If the scene or one of its stages cannot be run here; before any of them is.
-    RunFailed
-        If the run cannot go on; the snapshots up to then stay good.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `start` (n_u, n_v): control
+    heights of each freeform face to go on from, by its name; by default the run begins with the
+    undesigned lens; `locked` (n_u, n_v): control points of each face that keep the heights that
+    they begin with, exactly; none by default. A run whose control points are all locked ends with
+    its first lens. Yields first the lens before any step, then one after each iteration; at last,
+    unless the run has seen it so, the best lens once more, in the light of beams that it was not
+    fitted to. Returns why there are no more, as `History.follow` keeps it. Raises `Refused` if the
+    scene or one of its stages cannot be run here; before any of them is; `RunFailed` if the run
+    cannot go on; the snapshots up to then stay good.
 
     Examples
     --------

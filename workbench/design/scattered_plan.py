@@ -39,14 +39,8 @@ class BeamImages(Protocol):
 class ScatteredPlan:
     """Images of undeflected light, scattered; see `workbench.optics.beam_plan.BeamPlan`.
 
-    Parameters
-    ----------
-    plan : BeamImages
-        Makes images of undeflected light in parts of pixels.
-    scattering : Scattering
-        What the diffuser makes of them.
-    pixels : tuple[int, int]
-        Of the receiver.
+    `plan`: makes images of undeflected light in parts of pixels; `scattering`: what the diffuser
+    makes of them; `pixels`: of the receiver.
     """
 
     def __init__(self, plan: BeamImages, scattering: Scattering, pixels: tuple[int, int]) -> None:

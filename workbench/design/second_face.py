@@ -19,19 +19,9 @@ _ITERATIONS = 15
 def with_gain(both: Steps, room: Room, steps: Callable[[Room], Steps]) -> Steps:
     """Pass on the steps of two faces, and say at the end how the exit face alone would do.
 
-    Parameters
-    ----------
-    both : generator
-        Steps from the first lens of two faces on.
-    room : Room
-        Theirs.
-    steps : callable
-        Makes steps in a room: that of the undesigned lens, then those from the first lens on.
-
-    Returns
-    -------
-    str
-        Why ``both`` ended, and the errors of both after as many iterations.
+    `both`: steps from the first lens of two faces on; `room`: theirs; `steps`: makes steps in a
+    room: that of the undesigned lens, then those from the first lens on. Returns why ``both``
+    ended, and the errors of both after as many iterations.
     """
     losses: list[float] = []
     while True:

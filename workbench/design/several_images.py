@@ -21,21 +21,9 @@ class SeveralImages:
     The square of its error is the mean of the squares of theirs, each relative to its own target,
     by the weights of the images.
 
-    Parameters
-    ----------
-    images : sequence of WideImage
-        One for each of the scene's images.
-    wanted : sequence of WantedImage
-        The same images, as the task asks for them.
-
-    Attributes
-    ----------
-    effort : float
-        Of all of them together; see `WideImage`.
-    blurred : bool
-        Whether any is the light of a source whose size blurs it.
-    blur_widths : tuple[float, float]
-        The least of those of all images; see `WideImage`.
+    `images`: one for each of the scene's images; `wanted`: the same images, as the task asks for
+    them. `effort`: of all of them together; see `WideImage`; `blurred`: whether any is the light of
+    a source whose size blurs it; `blur_widths`: the least of those of all images; see `WideImage`.
     """
 
     def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:

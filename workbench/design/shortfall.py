@@ -25,26 +25,17 @@ _CURES: dict[Cause, Said] = {
 
 @dataclass(frozen=True)
 class Shortfall:
-    """Limits of a lens that keep it from what its task needs.
+    """Limits of a lens that keep it from what its task needs."""
 
-    Attributes
-    ----------
-    cause : str
-        The limit: "height_range", "max_thickness", "min_thickness", "screen" for one so near
-        that the exit face has no room before it, or "entrance_range".
-    needed : tuple[float, float], optional
-        Of a range, the offsets from the place of the face that the task needs; else the thinnest
-        and the thickest place; scene units. None where that is not known.
-    allowed : tuple[float, float]
-        The same as it is allowed.
-    share : float
-        Part of the control heights that are at an end of their interval; of an entrance range,
-        the part that the face fills.
-    """
-
+    # The limit: "height_range", "max_thickness", "min_thickness", "screen" for one so near that the
+    # exit face has no room before it, or "entrance_range".
     cause: Cause
+    # Of a range, the offsets from the place of the face that the task needs; else the thinnest and
+    # the thickest place; scene units. None where that is not known.
     needed: Interval | None
-    allowed: Interval
+    allowed: Interval  # the same as it is allowed
+    # Part of the control heights that are at an end of their interval; of an entrance range, the
+    # part that the face fills.
     share: float
 
     def sentence(self, scene: Scene) -> Said:
@@ -170,11 +161,8 @@ class Shortfall:
 def wider_entrance(scene: Scene) -> Interval | None:
     """A wider range for the entrance face, to both sides of its middle, that the lens has room for.
 
-    Returns
-    -------
-    tuple of float, or None
-        Offsets from its place, twice as far apart or a little less; None where the entrance face
-        is flat, or source and exit face leave no room.
+    Returns offsets from its place, twice as far apart or a little less; None where the entrance
+    face is flat, or source and exit face leave no room.
     """
     given = bounded(scene).entrance_offsets
     if scene.optic.designed_front is None:

@@ -31,19 +31,9 @@ _UMBILIC = 1e-3
 class Smoothness:
     """Penalty of the faces of a lens for their bends; dimensionless, the same in any unit.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task, with a setting of its run that is about bends.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale.
-    device : torch.device
-        Where the heights are.
-
-    Attributes
-    ----------
-    faces : dict of str to FaceCurvature
-        The freeform faces by their names.
+    `scene`: the design task, with a setting of its run that is about bends; `target` (n_y, n_x):
+    the wanted image in any scale; `device`: where the heights are. `faces`: the freeform faces by
+    their names.
     """
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
@@ -70,10 +60,7 @@ class Smoothness:
     def penalty(self, heights: Mapping[str, Tensor]) -> Tensor:
         """What is added to the square of the image's relative error.
 
-        Parameters
-        ----------
-        heights : mapping of str to Tensor, shape (n_u, n_v), float64
-            Control heights of each freeform face by its name, scene units.
+        `heights` (n_u, n_v).
         """
         penalty = torch.zeros((), dtype=torch.float64)
         for face, curvature in self.faces.items():
@@ -94,12 +81,7 @@ class Smoothness:
     def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
         """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
 
-        Parameters
-        ----------
-        loss : Tensor, scalar
-            Paper's loss of the image.
-        penalty : Tensor, scalar
-            Of the same lens.
+        `loss`: Paper's loss of the image; `penalty`: of the same lens.
         """
         return (loss.double().square() + self._loss_of_1**2 * penalty).sqrt()
 
@@ -114,16 +96,8 @@ class Smoothness:
 class FaceCurvature:
     """How much a face bends, and how sharply.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Where its control heights sit.
-    base : ndarray, shape (n_u, n_v)
-        Control heights from which its bending is counted.
-    device : torch.device
-        Where the heights are.
-    outward : int
-        1 if it is seen from +z, -1 if from -z.
+    `net`: where its control heights sit; `base` (n_u, n_v): control heights from which its bending
+    is counted; `device`: where the heights are; `outward`: 1 if it is seen from +z, -1 if from -z.
     """
 
     def __init__(self, net: ControlNet, base: Array, device: torch.device, outward: int) -> None:

@@ -106,10 +106,7 @@ class Result:
 class History:
     """Gathers the snapshots of a run, one after the other, into a `Result`.
 
-    Parameters
-    ----------
-    earlier : Result, optional
-        The result that this run continues; its losses and seconds are counted in.
+    `earlier`: the result that this run continues; its losses and seconds are counted in.
     """
 
     def __init__(self, earlier: Result | None = None) -> None:

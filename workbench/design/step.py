@@ -6,19 +6,11 @@ from workbench.design.lens_state import LensState
 
 
 class Step(NamedTuple):
-    """One evaluated lens.
+    """One evaluated lens."""
 
-    Attributes
-    ----------
-    state : LensState
-        The lens, with the net of its stage, and its light; losses can be compared over the run.
-    notes : tuple of str
-        What was chosen for this lens's trace, and what was left out.
-    merit : float, optional
-        What tells the best lens, where that is not the loss alone; infinite where no light is on
-        the screen.
-    """
-
+    # The lens, with the net of its stage, and its light; losses can be compared over the run.
     state: LensState
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()  # what was chosen for this lens's trace, and what was left out
+    # What tells the best lens, where that is not the loss alone; infinite where no light is on the
+    # screen.
     merit: float | None = None

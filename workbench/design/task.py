@@ -14,17 +14,8 @@ from workbench.scene.viewing import drawing
 def begin(scene: Scene, folder: Path) -> Session:
     """A session without a lens, its target drawn from the files that the scene names.
 
-    Parameters
-    ----------
-    scene : Scene
-        The task.
-    folder : Path
-        Where a relative image path starts.
-
-    Raises
-    ------
-    Refused
-        If the target cannot be drawn, or a file of light cannot be used.
+    `folder`: where a relative image path starts. Raises `Refused` if the target cannot be drawn, or
+    a file of light cannot be used.
     """
     from workbench.targets import draw_target  # late: scipy.ndimage takes long to import
 
@@ -41,10 +32,7 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
     every machine, and stays so when somebody paints. Another image, and one of which the session
     keeps no picture, is read from its file.
 
-    Raises
-    ------
-    Refused
-        If the target cannot be drawn.
+    Raises `Refused` if the target cannot be drawn.
     """
     before = session.scene.in_unit(scene.unit)
     scene = with_targets(with_light(scene.with_contents_of(before), folder), folder)
@@ -61,10 +49,7 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
 def with_file(session: Session, folder: Path) -> Session:
     """The session with its images read anew from their files.
 
-    Raises
-    ------
-    Refused
-        If the target cannot be drawn.
+    Raises `Refused` if the target cannot be drawn.
     """
     # Another target may be worth another net.
     scene = with_targets(without_targets(session.scene.with_net(None)), folder)

@@ -42,19 +42,11 @@ _DAMPED = 0.435
 class Waves:
     """Cosine waves over a control net.
 
-    Parameters
-    ----------
-    shape : sequence of int
-        (n_u, n_v) of the net.
-    power : float
-        Waves are made small in proportion to this power of their periods per lens.
-    mirrored : tuple[bool, bool]
-        Whether to leave out all waves that are not mirror images of themselves in u, in v.
-    blur_widths : tuple[float, float]
-        Full widths of a blur of what the waves make along u and v, parts of the lens: the waves
-        that it damps are all of one size.
-    longest : float
-        Part of the waves along each axis, the longest ones, that are left.
+    `shape`: (n_u, n_v) of the net; `power`: waves are made small in proportion to this power of
+    their periods per lens; `mirrored`: whether to leave out all waves that are not mirror images of
+    themselves in u, in v; `blur_widths`: full widths of a blur of what the waves make along u and
+    v, parts of the lens: the waves that it damps are all of one size; `longest`: part of the waves
+    along each axis, the longest ones, that are left.
     """
 
     def __init__(
@@ -80,10 +72,7 @@ class Waves:
     def eased(self, gradient: Tensor) -> Tensor:
         """What a descent along the amplitudes of waves changes the net by.
 
-        Parameters
-        ----------
-        gradient : Tensor, shape (n_u, n_v)
-            Gradient with respect to the net.
+        `gradient` (n_u, n_v): gradient with respect to the net.
         """
         amplitudes = self._squares * dctn(gradient.cpu().numpy(), norm="ortho")
         return torch.as_tensor(idctn(amplitudes, norm="ortho")).to(gradient)
@@ -92,15 +81,9 @@ class Waves:
 class FaceWaves:
     """Waves over the nets of several faces, whose values lie one after the other.
 
-    Parameters
-    ----------
-    like : mapping of str to Tensor, shape (n_u, n_v)
-        A net of each face.
-    power, mirrored, blur_widths, longest
-        See `Waves`.
-    widths : mapping of str to float
-        By how much about heights change with a parameter of each face. A wave of any face then
-        changes heights by as much: light does not mind how wide the range of a face is.
+    `like` (n_u, n_v): A net of each face; `power`, `mirrored`, `blur_widths`, `longest`: see
+    `Waves`; `widths`: by how much about heights change with a parameter of each face. A wave of any
+    face then changes heights by as much: light does not mind how wide the range of a face is.
     """
 
     def __init__(

@@ -34,35 +34,17 @@ _OF_A_BOX = 0.3, 0.75
 class WideImage:
     """Compares lenses with the target, light beside the screen included.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    cells : tuple[int, int] or Corners
-        Cells of the light of each origin along x and y, and how many origins; see `BeamPlan`.
-    light_extent : tuple[float, float]
-        How far from the receiver's middle light falls.
-    mirrored : tuple[bool, bool]
-        Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
-    blur : LensBlur, optional
-        What the parts of the lens make of the source, if that is nearly the same everywhere: light
-        of its middle is traced then, and blurred.
-    asked_light : float, optional
-        Flux that the image shall have. By default what arrives, however much that is.
-    scattering : Scattering, optional
-        What a diffuser makes of the light that comes to the receiver of ``scene``.
-
-    Attributes
-    ----------
-    effort : float
-        Time of a look at a lens and its gradients, in those of a beam of light: how many cells are
-        traced, those of all origins together, of which boxes take less.
-    blurred : bool
-        Whether it is the light of a source whose size blurs it, or of a diffuser.
-    blur_widths : tuple[float, float]
-        Mean widths of ``blur`` and ``scattering`` along x and y, parts of those of the receiver.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `cells`: cells of the light of
+    each origin along x and y, and how many origins; see `BeamPlan`; `light_extent`: how far from
+    the receiver's middle light falls; `mirrored`: whether all lenses are mirror images of
+    themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
+    that is nearly the same everywhere: light of its middle is traced then, and blurred;
+    `asked_light`: flux that the image shall have. By default what arrives, however much that is;
+    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
+    `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
+    cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
+    is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
+    ``blur`` and ``scattering`` along x and y, parts of those of the receiver.
     """
 
     def __init__(
@@ -126,10 +108,7 @@ class WideImage:
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """Error relative to the norm of the target, on the wide image, and the step to report.
 
-        Raises
-        ------
-        RunFailed
-            If there is no light on the wide image, or the loss is not finite.
+        Raises `RunFailed` if there is no light on the wide image, or the loss is not finite.
         """
         traced = self._plan.trace(heights, self._margin)
         check_light(traced.flux.detach(), traced.account, self._scene)

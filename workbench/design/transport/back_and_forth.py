@@ -34,14 +34,8 @@ class Transport:
 
     It is found on a coarse grid first; each finer one takes its potential and step lengths over.
 
-    Parameters
-    ----------
-    source, target : ndarray, shape (m_0, m_1)
-        Mass of the cells of equal grids with spacing 1; each sums to 1.
-    weights : tuple[float, float]
-        w along the two axes.
-    rounds : int
-        At most so many on the grid itself; see `improve`.
+    `source`, `target` (m_0, m_1): mass of the cells of equal grids with spacing 1; each sums to 1;
+    `weights`: w along the two axes; `rounds`: at most so many on the grid itself; see `improve`.
     """
 
     def __init__(

@@ -49,12 +49,8 @@ class Goal(Protocol):
 class BothFaces:
     """Finds both faces of a lens.
 
-    Parameters
-    ----------
-    scene : Scene
-        With a lens of two freeform faces; an extended source counts as a point at its centre.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of a face that is what it is, by its name, scene units.
+    `scene`: with a lens of two freeform faces; an extended source counts as a point at its centre;
+    `fixed` (n_u, n_v): control heights of a face that is what it is, by its name, scene units.
     """
 
     def __init__(self, scene: Scene, fixed: Mapping[str, Array] = NO_FACES) -> None:
@@ -82,22 +78,11 @@ class BothFaces:
     ) -> dict[str, Array] | None:
         """Control heights of a lens whose light goes where transports to images say.
 
-        Parameters
-        ----------
-        images : sequence of WantedImage
-            Each gets a transport.
-        goal_of : callable
-            Makes of these the ways that light shall take.
-        fraction : float
-            How much of the bending the entrance face does at the most.
-        fits : int
-            Pairs of faces in each round of transport.
-
-        Returns
-        -------
-        dict of str to ndarray, shape (n_u, n_v), or None
-            By the names of the faces, scene units; those of the exit face beyond their limits where
-            these are too narrow. None if no light leaves a plate.
+        `images`: each gets a transport; `goal_of`: makes of these the ways that light shall take;
+        `fraction`: how much of the bending the entrance face does at the most; `fits`: pairs of
+        faces in each round of transport. Returns (n_u, n_v): by the names of the faces, scene
+        units; those of the exit face beyond their limits where these are too narrow. None if no
+        light leaves a plate.
         """
         heights = {**self._plate, **self._fixed}
         traced = self._light.through(heights)

@@ -41,37 +41,21 @@ _PARTS = 6
 
 
 class Chart(NamedTuple):
-    """Where cells of a view lie in other coordinates.
+    """Where cells of a view lie in other coordinates."""
 
-    Attributes
-    ----------
-    view : ReceiverView
-        Of the receiver.
-    x, y : ndarray, shape (cells, cells)
-        For each of its cells, in cells of a rectangle that holds them.
-    weights : tuple[float, float]
-        What ways along x and y cost there.
-    """
-
-    view: ReceiverView
+    view: ReceiverView  # of the receiver
+    # (cells, cells), for each of its cells, in cells of a rectangle that holds them.
     x: Array
     y: Array
-    weights: tuple[float, float]
+    weights: tuple[float, float]  # what ways along x and y cost there
 
     @classmethod
     def of(cls, view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins: Pair) -> Self:
         """The chart by the slopes that light needs from where it comes.
 
-        Parameters
-        ----------
-        view : ReceiverView
-            Of the receiver.
-        wanted : ndarray, shape (cells, cells)
-            Light in each of its cells; all together 1.
-        slopes_for : callable
-            Says the slopes.
-        begins : tuple of two ndarray
-            In which cell of the lens the light of each of its cells comes from.
+        `view`: of the receiver; `wanted` (cells, cells): light in each of its cells; all together
+        1; `slopes_for`: says the slopes; `begins`: in which cell of the lens the light of each of
+        its cells comes from.
         """
         cells = len(wanted)
         slopes = _along_seen(view, wanted, slopes_for, begins)

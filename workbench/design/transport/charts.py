@@ -24,34 +24,18 @@ _STRAIGHT, _NEAR, _CHARTS, _LESS = 0.001, 2e-4, 6, 0.8
 
 
 class Charted(NamedTuple):
-    """A chart and a lens found in it.
+    """A chart and a lens found in it."""
 
-    Attributes
-    ----------
-    chart : Chart
-        With as many cells as light is wanted in.
-    heights : ndarray, shape (n_u, n_v)
-        Control heights of the lens, which few cells have found.
-    """
-
-    chart: Chart
-    heights: Array
+    chart: Chart  # with as many cells as light is wanted in
+    heights: Array  # (n_u, n_v), control heights of the lens, which few cells have found
 
 
 def chart_of(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Charted | None:
     """A chart in which light misses its places least; None where the view does as well.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task; an extended source counts as a point at its centre.
-    net : ControlNet
-        Of the face.
-    wanted : ndarray, shape (cells, cells)
-        The light that is wanted in each cell of the view, which are those of the chart; all
-        together 1.
-    fits : int
-        Fits to each transport.
+    `scene`: the design task; an extended source counts as a point at its centre; `net`: of the
+    face; `wanted` (cells, cells): the light that is wanted in each cell of the view, which are
+    those of the chart; all together 1; `fits`: fits to each transport.
     """
     halvings = 0
     while len(wanted) % 2 == 0 and len(wanted) >= 2 * _FEWEST:

@@ -18,12 +18,8 @@ class SlopeFit:
     The normal equations are a sum of two Kronecker products; the eigenvectors of the pairs of
     small matrices along each axis make them diagonal (Lynch, Rice and Thomas 1964).
 
-    Parameters
-    ----------
-    net : ControlNet
-        Where the control heights sit.
-    places : int
-        Places along each axis, at least as many as control points: the middles of equal cells.
+    `net`: where the control heights sit; `places`: places along each axis, at least as many as
+    control points: the middles of equal cells.
     """
 
     def __init__(self, net: ControlNet, places: int) -> None:
@@ -54,10 +50,7 @@ class SlopeFit:
     def heights(self, slope_x: Array, slope_y: Array) -> Array:
         """Control heights of the face, up to a constant.
 
-        Parameters
-        ----------
-        slope_x, slope_y : ndarray, shape (places, places)
-            Wanted slopes dz/dx and dz/dy at the places.
+        `slope_x`, `slope_y` (places, places): wanted slopes dz/dx and dz/dy at the places.
         """
         x, y = self._x, self._y
         moments = (y.value.T @ (x.slope.T @ (slope_x / self._width_x)).T).T
@@ -68,22 +61,15 @@ class SlopeFit:
 
 
 class _Axis(NamedTuple):
-    """Splines along an axis from 0 to 1.
+    """Splines along an axis from 0 to 1."""
 
-    Attributes
-    ----------
-    value, slope : csr_array, shape (places, count)
-        Basis functions and their derivatives at the places.
-    modes : ndarray, shape (count, count)
-        Vectors that make the mass matrix the identity and the stiffness matrix diagonal.
-    stretch : ndarray, shape (count,)
-        That diagonal.
-    """
-
+    # (places, count), basis functions and their derivatives at the places.
     value: csr_array
     slope: csr_array
+    # (count, count), vectors that make the mass matrix the identity and the stiffness matrix
+    # diagonal.
     modes: Array
-    stretch: Array
+    stretch: Array  # (count,), that diagonal
 
 
 @lru_cache(maxsize=8)  # both axes of most nets, one design after the other, and refits share it

@@ -29,22 +29,14 @@ _HANDICAP: dict[str, float] = {_ALONE: _ONE_FACE}
 
 
 class First(NamedTuple):
-    """A first lens.
+    """A first lens."""
 
-    Attributes
-    ----------
-    heights : dict of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units; beyond their limits where
-        these are too narrow for the task.
-    notes : tuple of str
-        How it was chosen, in words, for a run's log.
-    alone : ndarray, shape (n_u, n_v), optional
-        Control heights of the exit face behind a flat entrance face, the best that were compared
-        with those of both faces.
-    """
-
+    # (n_u, n_v), control heights of each freeform face by its name, scene units; beyond their
+    # limits where these are too narrow for the task.
     heights: dict[str, Array]
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()  # how it was chosen, in words, for a run's log
+    # (n_u, n_v), control heights of the exit face behind a flat entrance face, the best that were
+    # compared with those of both faces.
     alone: Array | None = None
 
 
@@ -54,14 +46,8 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
     A lens of two faces begins with each bending the light by half, or with a flat entrance face
     where that makes a better image. Where one of them is fixed, the other does what is left.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of one of two faces that is what it is, by its name, scene units.
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control
+    heights of one of two faces that is what it is, by its name, scene units.
     """
     if scene.optic.designed_front is None:
         heights = transport_start(scene, target)
@@ -93,16 +79,9 @@ def first_of_several(
 ) -> First | None:
     """The first lens for several images: the best of one for all of them and those for each.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task, with further images.
-    target : ndarray, shape (n_y, n_x)
-        The first wanted image in any scale, row 0 at +y.
-    alone : callable
-        For a lens of which one face is free, the first one for an image as if there were no other.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        As for `first_of`.
+    `scene`: the design task, with further images; `target` (n_y, n_x): the first wanted image in
+    any scale, row 0 at +y; `alone`: for a lens of which one face is free, the first one for an
+    image as if there were no other; `fixed` (n_u, n_v).
     """
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)

@@ -19,40 +19,21 @@ PER_CONTROL_POINT = 1.62
 
 
 class Grids(NamedTuple):
-    """Cells of a lens and of a receiver, and what is known of their light.
+    """Cells of a lens and of a receiver, and what is known of their light."""
 
-    Attributes
-    ----------
-    view : ReceiverView
-        Of the receiver.
-    wanted : ndarray, shape (cells, cells)
-        The light that is wanted in each cell of the view; all together 1.
-    light : FaceLight
-        Light on the face.
-    faces : Faces
-        Finds faces.
-    limits : HeightLimits
-        What the lens allows.
-    """
-
-    view: ReceiverView
+    view: ReceiverView  # of the receiver
+    # (cells, cells), the light that is wanted in each cell of the view; all together 1.
     wanted: Array
-    light: FaceLight
-    faces: Faces
-    limits: HeightLimits
+    light: FaceLight  # light on the face
+    faces: Faces  # finds faces
+    limits: HeightLimits  # what the lens allows
 
     @classmethod
     def of(cls, scene: Scene, net: ControlNet, wanted: Array) -> Self:
         """The grids of a task, with as many cells as light is wanted in.
 
-        Parameters
-        ----------
-        scene : Scene
-            The design task; an extended source counts as a point at its centre.
-        net : ControlNet
-            Of the face, with fewer control points than cells along each axis.
-        wanted : ndarray, shape (cells, cells)
-            As for the attribute.
+        `scene`: the design task; an extended source counts as a point at its centre; `net`: of the
+        face, with fewer control points than cells along each axis; `wanted` (cells, cells).
         """
         cells = len(wanted)
         fit = SlopeFit(net, cells)

@@ -25,18 +25,10 @@ _FITS = 4
 def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     """Control heights of both faces of a first lens for images on several screens.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task, with further images; an extended source counts as a point at its centre.
-    target : ndarray, shape (n_y, n_x)
-        The first wanted image in any scale, row 0 at +y.
-
-    Returns
-    -------
-    dict of str to ndarray, shape (n_u, n_v), or None
-        See `workbench.design.transport.both_faces.BothFaces.heights`; also None if a receiver is at
-        no distance.
+    `scene`: the design task, with further images; an extended source counts as a point at its
+    centre; `target` (n_y, n_x): the first wanted image in any scale, row 0 at +y. Returns (n_u,
+    n_v): see `workbench.design.transport.both_faces.BothFaces.heights`; also None if a receiver is
+    at no distance.
     """
     images = scene.wanted(target)
     if not all(image.scene.receiver.at_distance for image in images):
@@ -59,18 +51,10 @@ def _places(scene: Scene, transport: Transport) -> Array:
 
 
 class _Lines(NamedTuple):
-    """A line for the light of each cell; see `both_faces.Goal`.
+    """A line for the light of each cell; see `both_faces.Goal`."""
 
-    Attributes
-    ----------
-    middle : ndarray, shape (cells, cells, 3)
-        The mean of the places that it comes near to.
-    slope : ndarray
-        What x and y change by along z, shape (cells, cells, 2).
-    """
-
-    middle: Array
-    slope: Array
+    middle: Array  # (cells, cells, 3), the mean of the places that it comes near to
+    slope: Array  # what x and y change by along z, shape (cells, cells, 2)
 
     @classmethod
     def through(cls, places: Sequence[Array], weights: Sequence[float]) -> "_Lines":

@@ -30,22 +30,12 @@ _STILL = 0.01
 def refitted(before: Scene, heights: Array, scene: Scene) -> Array | None:
     """Control heights that send light where those of another scene send it.
 
-    Parameters
-    ----------
-    before : Scene
-        What a lens or mirror was designed for.
-    heights : ndarray, shape (n_u, n_v)
-        Control heights of its only freeform face, scene units.
-    scene : Scene
-        What it is to be good for: source, optic or receiver may differ, as long as the target is
-        the same in parts of the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_u, n_v), or None
-        Heights, beyond their limits where these are too narrow. None if the tasks differ in more,
-        have several images or faces, or light of the former face does not all come to the plane
-        of the receiver.
+    `before`: what a lens or mirror was designed for; `heights` (n_u, n_v): control heights of its
+    only freeform face, scene units; `scene`: what it is to be good for: source, optic or receiver
+    may differ, as long as the target is the same in parts of the receiver. Returns (n_u, n_v):
+    heights, beyond their limits where these are too narrow. None if the tasks differ in more, have
+    several images or faces, or light of the former face does not all come to the plane of the
+    receiver.
     """
     if not _alike(before, scene):
         return None

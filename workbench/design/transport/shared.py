@@ -78,19 +78,10 @@ def shared_start(
 ) -> dict[str, Array] | None:
     """Control heights of all faces of a first design.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task; an extended source counts as a point at its centre.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of faces that stay as they are, by id, scene units.
-
-    Returns
-    -------
-    dict of str to ndarray, shape (n_u, n_v), or None
-        By the ids of the faces, scene units, within their limits. None if no light arrives.
+    `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
+    n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control heights of faces
+    that stay as they are, by id, scene units. Returns (n_u, n_v): by the ids of the faces, scene
+    units, within their limits. None if no light arrives.
     """
     nets, limits = nets_of(scene), HeightLimits.of_scene(scene)
     undesigned = {face: each.undesigned for face, each in limits.items()} | dict(fixed)

@@ -50,18 +50,10 @@ FEW_ROUNDS, _GOOD = 3, 0.06
 def transport_start(scene: Scene, target: Array) -> Array | None:
     """Control heights of a first lens.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task; an extended source counts as a point at its centre.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-
-    Returns
-    -------
-    ndarray, shape (n_u, n_v), or None
-        Heights, scene units, beyond their limits where these are too narrow for the task. None if
-        no light leaves the lens even where its faces are parallel.
+    `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
+    n_x): the wanted image in any scale, row 0 at +y. Returns (n_u, n_v): heights, scene units,
+    beyond their limits where these are too narrow for the task. None if no light leaves the lens
+    even where its faces are parallel.
     """
     net = ControlNet.of(scene.optic)
     wanted, weights = wanted_cells(scene, target, cells_for(net))

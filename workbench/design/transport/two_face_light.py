@@ -29,43 +29,22 @@ Vector = tuple[Array, Array, Array]
 
 
 class LightInLens(NamedTuple):
-    """Light of each cell in a lens; arrays of shape (cells, cells), the first along x.
+    """Light of each cell in a lens; arrays of shape (cells, cells), the first along x."""
 
-    Attributes
-    ----------
-    entrance, exit : tuple of three ndarray
-        Places where it meets the faces; of light that does not, stand-ins.
-    glass : tuple of three ndarray
-        Unit vectors along which it goes between the faces.
-    normal : tuple of three ndarray
-        Unit vectors upright on the exit face where it meets that.
-    flux : ndarray, optional
-        Of what leaves the lens, all together 1; None where that is none.
-    """
-
+    # Places where it meets the faces; of light that does not, stand-ins.
     entrance: Vector
     exit: Vector
-    glass: Vector
-    normal: Vector
-    flux: Array | None
+    glass: Vector  # unit vectors along which it goes between the faces
+    normal: Vector  # unit vectors upright on the exit face where it meets that
+    flux: Array | None  # of what leaves the lens, all together 1; None where that is none
 
 
 class TwoFaceLight:
     """Light of a scene through even cells of the plane before the lens.
 
-    Parameters
-    ----------
-    scene : Scene
-        With a lens of two freeform faces; an extended source counts as a point at its centre.
-    fits : mapping of str to SlopeFit
-        The splines of each face in the middles of even cells.
-    cells : int
-        Along each axis.
-
-    Attributes
-    ----------
-    coming : tuple of three ndarray
-        Unit vectors along which it comes.
+    `scene`: with a lens of two freeform faces; an extended source counts as a point at its centre;
+    `fits`: the splines of each face in the middles of even cells; `cells`: along each axis.
+    `coming`: unit vectors along which it comes.
     """
 
     def __init__(self, scene: Scene, fits: Mapping[str, SlopeFit], cells: int) -> None:
@@ -107,14 +86,8 @@ class TwoFaceLight:
     def evenly(self, values: tuple[Array, Array], face: str, place: Vector) -> tuple[Array, Array]:
         """Values of the light that comes to the middles of even cells of a face.
 
-        Parameters
-        ----------
-        values : tuple of two ndarray, shape (cells, cells)
-            Of the light of each cell of the plane before the lens.
-        face : str
-            Its name.
-        place : tuple of three ndarray
-            Where that light meets it.
+        `values` (cells, cells): of the light of each cell of the plane before the lens; `face`: its
+        name; `place`: where that light meets it.
         """
         meets = self._in_cells(*place[:2])
         self._from[face] = cell = whence(meets, self._own, self._from[face])

@@ -45,19 +45,10 @@ def split_start(
 ) -> dict[str, Array] | None:
     """Control heights of both faces of a first lens.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task; an extended source counts as a point at its centre.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    fixed : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of a face that is what it is, by its name, scene units.
-
-    Returns
-    -------
-    dict of str to ndarray, shape (n_u, n_v), or None
-        See `workbench.design.transport.both_faces.BothFaces.heights`.
+    `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
+    n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control heights of a face
+    that is what it is, by its name, scene units. Returns (n_u, n_v): see
+    `workbench.design.transport.both_faces.BothFaces.heights`.
     """
     faces = BothFaces(scene, fixed)
     view = ReceiverView.of(scene)
@@ -72,22 +63,13 @@ def split_start(
 
 
 class _Split(NamedTuple):
-    """Ways to places of the receiver, begun in the glass; see `both_faces.Goal`.
-
-    Attributes
-    ----------
-    scene : Scene
-        The design task.
-    to_u, to_v : ndarray, shape (cells, cells)
-        Where on the receiver the light of each cell should go.
-    exit_fixed : bool
-        Whether the exit face turns light as it does, in place of as it should.
-    """
+    """Ways to places of the receiver, begun in the glass; see `both_faces.Goal`."""
 
     scene: Scene
+    # (cells, cells), where on the receiver the light of each cell should go.
     to_u: Array
     to_v: Array
-    exit_fixed: bool
+    exit_fixed: bool  # whether the exit face turns light as it does, in place of as it should
 
     def in_glass(self, coming: Vector, traced: LightInLens) -> Callable[[float], Vector]:
         """Ways in the glass of light that leaves between where it comes from and should go.

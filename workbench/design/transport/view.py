@@ -24,20 +24,12 @@ _ONE = 0, 0, 1
 
 
 class ReceiverView(NamedTuple):
-    """A rectangle that holds the receiver as it is seen.
-
-    Attributes
-    ----------
-    scene : Scene
-        The design task.
-    back : ndarray, shape (3, 3)
-        Takes (x, y, 1) of a place as it is seen to a multiple of (u, v, 1) on the receiver.
-    middle, half_extent : tuple[float, float]
-        Of the rectangle.
-    """
+    """A rectangle that holds the receiver as it is seen."""
 
     scene: Scene
+    # (3, 3), takes (x, y, 1) of a place as it is seen to a multiple of (u, v, 1) on the receiver.
     back: Array
+    # Of the rectangle.
     middle: tuple[float, float]
     half_extent: tuple[float, float]
 
