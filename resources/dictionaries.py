@@ -24,7 +24,7 @@ from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
 from workbench.analysis.tolerance_fields import ABOUT
-from workbench.design.endings import ENDINGS, FAILED
+from workbench.design.snapshot import ENDINGS, FAILED
 from workbench.jobs import JOBS
 from workbench.materials import CATALOGUE
 from workbench.optics.account import LOSSES, words_for
@@ -66,7 +66,7 @@ def _all() -> Iterator[tuple[str, str]]:
             (text, "resources/__init__.py") for text in (example.group, example.title, example.look)
         )
     yield from ((text, "workbench") for text in _of_engine())
-    yield from ((text, "workbench/design/endings.py") for text in (*ENDINGS, FAILED))
+    yield from ((text, "workbench/design/snapshot.py") for text in (*ENDINGS, FAILED))
     for file in sorted((_ROOT / "workbench").rglob("*.py")):
         if "Said(" in file.read_text(encoding="utf-8"):
             yield from ((text, file.relative_to(_ROOT).as_posix()) for text in marked(file))

@@ -7,12 +7,9 @@ import pytest
 import torch
 
 from workbench.analysis.validation import validate
-from workbench.design.aim import first_lens
-from workbench.design.blurred_light import LightBlurring
-from workbench.design.blurred_plan import BlurredPlan
-from workbench.design.lens_blur import BlurChange, LensBlur
+from workbench.design.lens_blur import BlurChange, BlurredPlan, LensBlur, LightBlurring
 from workbench.design.levels import lens_blur_of
-from workbench.design.transport import transport_start
+from workbench.design.transport import first_design, transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
 from workbench.geometry.faces import FaceArrays
@@ -44,7 +41,7 @@ def test_first_lens_with_an_extended_source_is_nearer_than_that_for_the_target_i
         validate(scene, target, FaceArrays(heights), 400_000).relative_l2_corrected
         for heights in (
             {"lens.back": transport_start(scene, target)},
-            first_lens(scene, target).heights,
+            first_design(scene, target).heights,
         )
     )
     assert bound < aimed < 0.8 * sharp

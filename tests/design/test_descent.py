@@ -8,9 +8,7 @@ import pytest
 import torch
 from scipy.fft import dctn
 
-from workbench.design.descent import Descent, descend
-from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.waves import FaceWaves
+from workbench.design.descent import Descent, Evaluation, FaceWaves, descend, minimise
 from workbench.optics.account import Account, UnbalancedAccount
 
 SHAPE = 16, 12

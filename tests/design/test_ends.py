@@ -10,10 +10,9 @@ import torch
 
 from workbench.design.live import LiveDesign
 from workbench.design.loss import relative_error
-from workbench.design.pace import Pace
 from workbench.design.run import run
 from workbench.design.session import Session
-from workbench.design.snapshot import History
+from workbench.design.snapshot import History, Pace
 from workbench.errors import RunFailed
 from workbench.optics.beam_plan import BeamPlan
 

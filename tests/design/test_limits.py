@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.scenes import changed
-from workbench.design.heights import HeightRange
+from workbench.design.bounds import HeightRange
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.run import run
 from workbench.geometry.surface import ControlNet, sample_faces

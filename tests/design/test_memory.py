@@ -42,7 +42,7 @@ def large(make_scene):
 def test_a_run_that_does_not_fit_is_refused_before_anything_is_made(large, monkeypatch):
     needed = auto_memory(large)
     monkeypatch.setattr(memory, "available_memory", lambda: needed - 1)
-    monkeypatch.setattr("workbench.design.run.Room", lambda *_: pytest.fail("was made"))
+    monkeypatch.setattr("workbench.design.run.Bounds", lambda *_: pytest.fail("was made"))
     with pytest.raises(Refused) as refused:
         next(run(large, load_target(large, None)))
     assert refused.value.path == "images[0].receiver.pixels"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.coarse_net import coarse_net
+from workbench.design.checks import coarse_net
 from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.session import Session

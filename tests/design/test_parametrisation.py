@@ -6,9 +6,9 @@ import pytest
 import torch
 
 from workbench.design import parametrisation
-from workbench.design.heights import HeightRange
+from workbench.design.bounds import HeightRange
 from workbench.design.loss import paper_loss, share
-from workbench.design.networks import Network, build
+from workbench.design.paper import Network, build
 from workbench.design.parametrisation import (
     link_count,
     parameter_count,

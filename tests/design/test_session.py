@@ -7,8 +7,8 @@ import pytest
 
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
+from workbench.design.limits import Shortfall
 from workbench.design.session import Session
-from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import NO_LOCKS, FaceArrays

@@ -10,13 +10,12 @@ from PIL import Image
 
 from tests.accounts import account_of
 from tests.lamps import PLATE, downlight
+from workbench.design.checks import check_stages, grazed
 from workbench.design.lens_state import LensState
-from workbench.design.needs import check_stages, grazed
-from workbench.design.origin import origin
 from workbench.design.run import run
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
-from workbench.design.task import begin, with_task
+from workbench.design.task import begin, origin, with_task
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.said import Said

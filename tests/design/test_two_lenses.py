@@ -10,7 +10,7 @@ from workbench.analysis.validation import validate
 from workbench.design.design_run import DesignRun
 from workbench.design.limits import HeightLimits
 from workbench.design.session import Session
-from workbench.design.transport import shared_start
+from workbench.design.transport.shared import shared_start
 from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
 from workbench.geometry.surface import ControlNet, nets_of

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from tests.accounts import account_of
-from workbench.design.endings import IN_VAIN, SLOW, has_converged
 from workbench.design.lens_state import LensState
 from workbench.design.session import KeptRun, Session
-from workbench.design.snapshot import Result
+from workbench.design.snapshot import IN_VAIN, SLOW, Result, has_converged
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.said import Said

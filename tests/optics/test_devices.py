@@ -7,8 +7,8 @@ import torch
 from resources import path
 from tests.graphics_card import EXAMPLES, NEEDED, computed_on
 from tests.optics.cells_of_light import nodes_of, splits
+from workbench.design.bounds import Bounds
 from workbench.design.net import definite
-from workbench.design.room import Room
 from workbench.files.session import open_design
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beam_reference import reference_beam_image
@@ -36,7 +36,7 @@ def test_images_are_made_of_tensors_where_the_rays_are(image):
 def test_a_gpu_traces_what_the_processor_does(name, way):
     task = open_design(path("examples", f"{name}.json"))
     scene, rng = definite(task.scene, task.target), np.random.default_rng(1)
-    begin = Room(scene, task.target).begin
+    begin = Bounds(scene, task.target).begin
     heights = {face: z + 2e-3 * rng.uniform(-1, 1, z.shape) for face, z in begin.items()}
     weights = rng.uniform(0, 1, scene.receiver.pixels[::-1])
 

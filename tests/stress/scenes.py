@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.scenes import changed
 from tests.stress.lamps import LAMPS
 from workbench.arrays import Array
-from workbench.design.heights import HeightRange
+from workbench.design.bounds import HeightRange
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene

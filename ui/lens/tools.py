@@ -20,8 +20,8 @@ from ui.shown.frame import Frame, make_frame, same_task
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
-from workbench.design.evaluation import Evaluator
 from workbench.design.limits import bounded, undesigned
+from workbench.design.methods import Evaluator
 from workbench.design.snapshot import History
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays

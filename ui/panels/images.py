@@ -16,7 +16,7 @@ from ui.panels.panel import PartPanel
 from ui.panels.rows import KindRow, Make, Rows
 from ui.words import in_sentence, tr
 from workbench.arrays import Array
-from workbench.design.picture import LARGEST_PICTURE
+from workbench.design.task import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish, Image, Scene
 from workbench.scene.kinds import title_of

@@ -10,7 +10,7 @@ from ui.panels.fields import Changes, ChoiceRow, Row, TextRow
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.rows import KindRow, Make, Rows
 from ui.words import tr
-from workbench.design.picture import LARGEST_PICTURE
+from workbench.design.task import LARGEST_PICTURE
 from workbench.scene import (
     FieldDescription,
     Kinds,

@@ -13,8 +13,8 @@ from ui.run.worker import Generate, RunJob, work
 from ui.shown.frame import iterations_before
 from ui.shown.shown_lens import FrameHistory
 from ui.words import later, tr
-from workbench.design.origin import origin
 from workbench.design.snapshot import Result
+from workbench.design.task import origin
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame

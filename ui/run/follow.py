@@ -25,9 +25,9 @@ from ui.run.control import RunControl
 from ui.run.kept_runs import called, with_followed
 from ui.run.worker import RunJob, frame_of, work
 from ui.words import later, tr
-from workbench.design.endings import STOPPED
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
+from workbench.design.snapshot import STOPPED
 from workbench.said import Said
 
 if TYPE_CHECKING:

@@ -6,8 +6,7 @@ from dataclasses import replace
 
 from ui.document.undo_steps import distinct_bytes
 from ui.words import tr
-from workbench.design.endings import STOPPED
-from workbench.design.snapshot import Result
+from workbench.design.snapshot import STOPPED, Result
 from workbench.files.header import MOST_RUNS
 from workbench.files.session import KeptRun, Session
 from workbench.scene import Scene

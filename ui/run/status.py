@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QWidget
 
 from ui.widgets.labels import OUTDATED, ElidedLabel
 from ui.words import later, tr
-from workbench.design.pace import Pace
+from workbench.design.snapshot import Pace
 from workbench.powers import written
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from ui.views.scene_view import SceneView
 from ui.widgets.messages import MessageBar, Offer
 from ui.window.edit_notices import Notice
 from ui.words import tr
-from workbench.design.shortfall import Shortfall, wider_entrance
+from workbench.design.limits import Shortfall, wider_entrance
 from workbench.files.session import Session
 from workbench.optics.account import LOSSES
 from workbench.said import Said
@@ -43,7 +43,7 @@ class CoarseNetNotice(Notice):
 
     def _report(self) -> None:
         # Late: torch comes with it, and the window shows before that.
-        from workbench.design.coarse_net import coarse_net
+        from workbench.design.checks import coarse_net
 
         session = self._document.session
         if session.result is None or self._messages.taken:

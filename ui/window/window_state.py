@@ -9,7 +9,7 @@ from ui.commands.table import LOCKS, NEW
 from ui.run.control import CurrentLens
 from ui.window.workspace import EarlyParts
 from ui.words import later, tr
-from workbench.design.endings import STOPPED, has_converged
+from workbench.design.snapshot import STOPPED, has_converged
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts

@@ -12,10 +12,9 @@ from workbench.cli.checkpoints import CheckpointWriter
 from workbench.cli.interruption import EndedBySignal, Interruption
 from workbench.cli.output import Progress
 from workbench.design.design_run import DesignRun
-from workbench.design.light_files import why_light_is_not_kept
-from workbench.design.picture import why_not_kept
 from workbench.design.session import Session
 from workbench.design.snapshot import Result
+from workbench.design.task import why_light_is_not_kept, why_not_kept
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
@@ -85,7 +84,7 @@ def _is_over(deadline: float) -> bool:
 
 
 def _print_hint(session: Session, result: Result) -> None:
-    from workbench.design.coarse_net import coarse_net  # slow import, not needed for a refusal
+    from workbench.design.checks import coarse_net  # slow import, not needed for a refusal
 
     if result.state.shortfall is not None:
         print(result.state.shortfall.at_field(session.scene), file=sys.stderr)

@@ -13,9 +13,8 @@ from typing import BinaryIO
 from tqdm import tqdm
 
 from workbench.analysis.tolerance_fields import Tolerances
-from workbench.design.pace import Pace
 from workbench.design.session import Session, result_of
-from workbench.design.snapshot import Snapshot
+from workbench.design.snapshot import Pace, Snapshot
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.options import Cutting

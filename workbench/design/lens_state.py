@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.shortfall import Shortfall
+from workbench.design.limits import Shortfall
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.optics.account import Account
 
@@ -123,3 +123,14 @@ def _sealed(values: Array) -> Array:
 
 def _copy(values: "Tensor") -> Array:
     return np.array(values.detach().cpu().numpy(), dtype=np.float64)
+
+
+class Step(NamedTuple):
+    """One evaluated lens."""
+
+    # The lens, with the net of its stage, and its light; losses can be compared over the run.
+    state: LensState
+    notes: tuple[str, ...] = ()  # what was chosen for this lens's trace, and what was left out
+    # What tells the best lens, where that is not the loss alone; infinite where no light is on the
+    # screen.
+    merit: float | None = None

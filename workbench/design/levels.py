@@ -9,13 +9,9 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.design.blurred_plan import BlurredPlan
-from workbench.design.density import Density
-from workbench.design.lens_blur import BlurChange, LensBlur
-from workbench.design.near_sources import fitting_source_cells
-from workbench.design.scattered_plan import directions_at_receiver
-from workbench.design.several_images import AnyImage, SeveralImages
-from workbench.design.wide_image import WideImage
+from workbench.design.images import AnyImage, SeveralImages, WideImage, directions_at_receiver
+from workbench.design.lens_blur import BlurChange, BlurredPlan, LensBlur
+from workbench.design.near_sources import Density, fitting_source_cells
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.scattering import Scattering, film_scene
 from workbench.measured.lamps import of_known_size
@@ -34,9 +30,8 @@ class Level(Density):
     origins: int = 1  # times as many origins of the light of a source of some size
 
 
-# Cells for each control point along an axis, at least: waves of the face between them are seen by
-# none. A lens of 65 control points, which 64 origins saw by 50 cells, was 5.4 % off where the run
-# saw 0.4 %.
+# Cells for each control point along an axis, at least: no cell sees waves of the face between them.
+# A lens of 65 control points, seen by 50 cells, was 5.4 % off where the run saw 0.4 %.
 _SEEN = 1.5
 COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, seen=_SEEN, thinning=0.5)
 """Tells which of two first lenses is the better one."""
@@ -44,19 +39,15 @@ COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, seen=_SEEN
 FINE = Level(per_pixel=3.0, per_control_point=1.9, enough=3.6, seen=_SEEN, thinning=0.25)
 """All lenses of a run are judged by it, so that their losses can be compared.
 
-With 2.1 cells for each control point a flame is 1.51 % off after 10.5 s of the processor, with 1.9
-it is 1.55 % off after 8.3 s; the run sees 0.97 and 0.96 of that. 2.0 cells would often fall on the
-same places of the spans of a net.
+A flame is 1.55 % off after 8.3 s with 1.9 cells for each control point, 1.51 % after 10.5 s with
+2.1. 2.0 cells would often meet the spans of a net at the same places.
 """
 
 JUDGED = replace(FINE, per_control_point=2.6, enough=math.inf, origins=4)
-"""The best lens of a run is judged by it at last.
+"""The best lens of a run is judged by it at last, by beams that the descent has not corrected.
 
-A descent also makes good what the beams of `FINE` alone are wrong in, and sees less of the error
-than there is: with 480 × 480 control points 0.394 % of 0.416 % of a ball, 1.48 % of 1.56 % of a
-flame. Other beams tell: by 2.6 cells for each control point, of which one look takes 0.07 s of the
-processor, the ball is 0.418 % off and the flame 1.55 %. Origins are made good alone, too: by 64 of
-them an LED's lens was 5.81 % off, by 128 to 512 of them 6.22 to 6.27 %, as 16 random images found.
+By `FINE` a run sees 1.48 % of the 1.56 % of a flame, by this 1.55 %; by 64 origins an LED's lens is
+5.81 % off, by 128 to 512 of them 6.22 to 6.27 %, as 16 random images verify.
 """
 
 # More of them take over 4 GB: with 8192 of them, a lens of 4096 × 4096 pixels takes 8.8 GB.
@@ -72,34 +63,16 @@ _MIRRORED = 1.3
 _FEWEST_CELLS = 24
 # A blur of fewer pixels is not seen.
 _UNSEEN = 0.2
-# Origins for each pixel under the blur; and how many at least and at most. With few of them a
-# descent makes their images good alone. A letter in the sun, which blurs it over 5.9 pixels:
-#
-# | origins × cells along an axis | error as the run sees it | verified |
-# |---|---|---|
-# | 20 × 172 | 7.0 % | 8.1 % |
-# | 36 × 172 | 7.3 % | 7.6 % |
-# | 64 × 172 | 7.2 % | 7.4 % |
-# | 64 × 256 | 7.0 % | 7.1 % |
-#
-# So few as 16 do not do for small blurs either: a letter of 64 × 64 pixels by an LED that blurs it
-# over 3 of them is 7.7 % off with 16 of them, of which the run sees 3.9 %; 6.3 % with 64. *LED to a
-# rectangle* is 6.26 % off with 64 of them; with 96 it is 6.09 and 5.80 % off, after two runs that
-# differ by rounding, for a tenth more time.
+# Origins for each pixel under the blur; and how many at least and at most. A descent corrects the
+# images of few origins alone: a letter by an LED is 7.7 % off with 16 of them, of which the run
+# sees 3.9 %, and 6.3 % with 64; *LED to a rectangle* 6.26 % with 64, 5.8 to 6.1 % with 96.
 _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 96, 128
 # Cells of all origins together, at most.
 _MOST_BEAMS = 1 << 22
 # Cells that tell how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
-# Two faces close to a source are asked for so much more light than the first lens sends. Error and
-# light on the screen after 110 to 200 steps, of an LED 10 mm before a lens 120 mm wide, and of one
-# 5 mm before a lens of 20 mm; with 1.1 that of the first is 5.0 % and 68.7 %:
-#
-# | asked for | lens of 120 mm | lens of 20 mm |
-# |---|---|---|
-# | what arrives | 3.3 %, 61.9 % | 6.5 %, 62.9 % |
-# | 1.05 | 4.3 %, 67.1 % | 5.9 %, 65.1 % |
-# | one face, what arrives | 5.3 %, 65.1 % | 12.4 %, 62.9 % |
+# Two faces close to a source are asked for so much more light than the first design sends: 67.1 %
+# of an LED 10 mm before a lens of 120 mm arrive with an error of 4.3 %, not 61.9 % with 3.3 %.
 _MORE_LIGHT = 1.05
 # Cells of each of many origins, and of the middle of the source, that tell how it is blurred and
 # whether that is the same all over a lens: as many, for light is spread over them too. And the

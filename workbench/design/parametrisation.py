@@ -1,6 +1,6 @@
 """How much there is to optimise in the paper's method, known before any of it is built.
 
-Here is arithmetic alone, quick to import; `workbench.design.networks` builds the networks.
+Here is arithmetic alone, quick to import; `workbench.design.paper` builds the networks.
 """
 
 import math

@@ -13,13 +13,12 @@ import numpy as np
 import torch
 
 from workbench.arrays import Array, Mask
-from workbench.design.endings import DONE, LOCKED
+from workbench.design.bounds import Bounds
+from workbench.design.checks import check_stages, grazed, reversed_on_lit_side
 from workbench.design.lens_state import LensState
 from workbench.design.methods import method_of
-from workbench.design.needs import check_stages, grazed, reversed_on_lit_side
 from workbench.design.net import definite
-from workbench.design.room import Room
-from workbench.design.snapshot import Snapshot
+from workbench.design.snapshot import DONE, LOCKED, Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
@@ -75,9 +74,9 @@ def run(
     for stage, stage_scene in enumerate(scenes[first:], first):
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else stage_scene.run.iterations + (stage == first)
-        room = Room(stage_scene, target, start, locked)
+        bounds = Bounds(stage_scene, target, start, locked)
         method = method_of(stage_scene)
-        steps, notes = method.steps(room), (*said, *method.notes(stage_scene))
+        steps, notes = method.steps(bounds), (*said, *method.notes(stage_scene))
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -88,11 +87,11 @@ def run(
                 ended: str = end.value
                 break
             except (RunFailed, torch.OutOfMemoryError) as error:
-                raise _stopped(iteration, error, room, scene) from None
+                raise _stopped(iteration, error, bounds, scene) from None
             merit = step.state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
-            state = _finished(step.state, room, scene)
+            state = _finished(step.state, bounds, scene)
             seconds += time.perf_counter() - resumed
             snapshot = Snapshot(
                 state,
@@ -103,7 +102,7 @@ def run(
                 best=best,
                 stage=stage,
                 stages=len(scenes),
-                notes=(*notes, *step.notes, *room.notes),
+                notes=(*notes, *step.notes, *bounds.notes),
             )
             if best:
                 lowest, best_heights, kept = merit, step.state.heights, snapshot
@@ -114,25 +113,25 @@ def run(
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene, scenes[stage + 1])
     del steps  # and its images, before others are made
-    return (yield from _judged(scene, target, room, kept, snapshot, ended))
+    return (yield from _judged(scene, target, bounds, kept, snapshot, ended))
 
 
-def _finished(state: LensState, room: Room, scene: Scene) -> LensState:
+def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:
     """The lens of a stage as one of the whole design."""
-    shortfall = room.shortfall(state.heights)
-    heights = _carried(state.heights, room.scene, scene)
+    shortfall = bounds.shortfall(state.heights)
+    heights = _carried(state.heights, bounds.scene, scene)
     return replace(state, shortfall=shortfall, heights=heights)
 
 
 def _judged(
-    scene: Scene, target: Array, room: Room, best: Snapshot, last: Snapshot, ended: str
+    scene: Scene, target: Array, bounds: Bounds, best: Snapshot, last: Snapshot, ended: str
 ) -> Generator[Snapshot, None, str]:
     """The best lens of a run in light that it was not fitted to, if it has not been seen so."""
     resumed = time.perf_counter()
     try:
         light = method_of(scene).judged(scene, target, best.state.heights)
     except torch.OutOfMemoryError as error:
-        raise _stopped(last.iteration, error, room, scene) from None
+        raise _stopped(last.iteration, error, bounds, scene) from None
     if light is not None:
         state = replace(light.state, shortfall=best.state.shortfall)
         seconds = last.seconds + time.perf_counter() - resumed
@@ -141,11 +140,11 @@ def _judged(
 
 
 def _stopped(
-    iteration: int, error: RunFailed | torch.OutOfMemoryError, room: Room, scene: Scene
+    iteration: int, error: RunFailed | torch.OutOfMemoryError, bounds: Bounds, scene: Scene
 ) -> RunFailed:
     """What ends a run, with what the first lens cannot meet where that is why."""
     why = error.args[0] if isinstance(error, RunFailed) else _FULL_CARD
-    short = room.shortfall(room.begin)
+    short = bounds.shortfall(bounds.begin)
     if short is not None:
         why = Said("{why}. {limit}", why=why, limit=short.in_full(scene))
     return RunFailed(Said("stopped at iteration {iteration}: {why}", iteration=iteration, why=why))

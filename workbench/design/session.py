@@ -151,7 +151,7 @@ class Session:
         without meaning where there is a result.
     picture : bytes, optional
         Content of the target's image file as it was drawn, at most
-        `workbench.design.picture.LARGEST_PICTURE` bytes; none for a built-in shape.
+        `workbench.design.task.LARGEST_PICTURE` bytes; none for a built-in shape.
     remarks : tuple of str
         What a person should know of the image file when the target was drawn; no file keeps it.
 

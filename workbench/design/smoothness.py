@@ -12,8 +12,8 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
+from workbench.design.lens_state import Step
 from workbench.design.loss import share
-from workbench.design.step import Step
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.curvature import mean_and_gaussian
 from workbench.geometry.surface import ControlNet, freeform_nets

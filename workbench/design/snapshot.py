@@ -1,17 +1,45 @@
-"""What a run tells the world: immutable snapshots, and the result they add up to."""
+"""Snapshots of a run, the result that they add up to, its pace and why it ended."""
 
+from collections import deque
 from collections.abc import Generator
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from statistics import median
 from typing import Any, Self
 
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.endings import FAILED, IN_VAIN, STOPPED
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.progress import Interrupted
 from workbench.said import Said
+
+DONE = "all iterations are done"
+LOCKED = "all control points are locked"
+STOPPED = "stopped"
+SMALL = "converged: error below {error:g} %"
+LOWEST = "converged: no step makes the image better"
+SLOW = "converged: less than {gain:g} % better in {patience} iterations"
+FLAT = "converged: error less than {points:g} percentage points lower in {patience} iterations"
+IN_VAIN = "{ended}; no iteration made the lens better"
+NO_IMAGE = "{ended}; the exit face alone makes no image"
+GAINED = (
+    "{ended}; after {iterations} iterations the error of both faces was {times:.2g} times that "
+    "of the exit face behind a flat entrance"
+)
+FAILED = "failed: {why}"
+
+CONVERGED = (SMALL, LOWEST, SLOW, FLAT)
+ENDINGS = (DONE, LOCKED, STOPPED, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
+"""All but failures, whose reasons are without number."""
+
+
+def has_converged(ended: str) -> bool:
+    """Whether a run ended because nothing got better."""
+    if not isinstance(ended, Said):
+        return False
+    return ended.words in CONVERGED or has_converged(ended.values.get("ended", ""))
 
 
 @dataclass(frozen=True)
@@ -199,3 +227,46 @@ class History:
             seconds_at=self.times(),
             ended=self._ended,
         )
+
+
+_SPAN = 4.0  # seconds of run time that count as recent
+# Steps that tell a pace. The first lens and the first step, in which kernels are compiled, are none
+# of them, and one slow step among others does not count: of a run of 33 s the time left was first
+# given as 75 minutes.
+_STEPS = 3
+
+
+class Pace:
+    """Pace of the measured steps of the last seconds of run time; pauses do not count."""
+
+    def __init__(self) -> None:
+        self._seen: deque[tuple[float, int]] = deque()
+
+    def note(self, seconds: float, iteration: int) -> None:
+        """Take note of how far a run is; another run begins anew."""
+        seen = self._seen
+        if seen and (iteration < seen[-1][1] or seconds < seen[-1][0]):
+            seen.clear()
+        if iteration == 0 or (seen and iteration == seen[-1][1]):
+            return
+        seen.append((seconds, iteration))
+        while len(seen) > 1 + _STEPS and seconds - seen[1][0] >= _SPAN:
+            seen.popleft()
+
+    @property
+    def rate(self) -> float | None:
+        """Iterations a second; None until enough steps have been measured."""
+        seen = list(self._seen)
+        if not seen or seen[-1][1] - seen[0][1] < _STEPS:
+            return None
+        step = median(
+            each
+            for (began, first), (ended, last) in pairwise(seen)
+            for each in [(ended - began) / (last - first)] * (last - first)
+        )
+        return 1 / step if step > 0 else None
+
+    def left(self, iterations: int) -> float | None:
+        """Seconds that so many more iterations take at this pace; None until it is known."""
+        rate = self.rate
+        return None if rate is None else iterations / rate

@@ -9,8 +9,8 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.lens_state import FurtherLight, LensState, frozen
-from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.snapshot import Result
+from workbench.design.task import LARGEST_PICTURE
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import AccountFigures, Figures

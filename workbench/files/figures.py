@@ -5,11 +5,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer
 
-from workbench.design.endings import ENDINGS
 from workbench.design.lens_state import FurtherLight
+from workbench.design.limits import Cause, Interval, Shortfall
 from workbench.design.session import VerifiedError
-from workbench.design.shortfall import Cause, Interval, Shortfall
-from workbench.design.snapshot import Result
+from workbench.design.snapshot import ENDINGS, Result
 from workbench.optics.account import LOSSES, Account
 from workbench.said import Said
 from workbench.scene import NonNegative, Part, Positive

@@ -7,10 +7,9 @@ from pathlib import Path
 from workbench import __version__
 from workbench.arrays import Array, Mask
 from workbench.design.net import definite
-from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
-from workbench.design.task import begin
+from workbench.design.task import LARGEST_PICTURE, begin
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.designs import (

@@ -8,7 +8,7 @@ import numpy as np
 
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.arrays import Array
-from workbench.design.needs import grazed
+from workbench.design.checks import grazed
 from workbench.design.session import Session
 from workbench.extended.blur import diffraction
 from workbench.extended.bound import Bound, percent

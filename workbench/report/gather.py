@@ -15,8 +15,8 @@ from workbench.analysis.tolerances import Distribution, perturbed
 from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
-from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
+from workbench.design.task import origin
 from workbench.errors import visible
 from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets

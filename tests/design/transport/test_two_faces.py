@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.design.run import run
-from workbench.design.transport.first import first_error, first_of
+from workbench.design.transport.first_design import first_error, first_of
 from workbench.design.transport.two_faces import split_start
 from workbench.geometry.surface import freeform_nets
 

@@ -7,7 +7,7 @@ from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.widgets.messages import MessageBar
 from ui.window.run_notices import CoarseNetNotice
-from workbench.design.endings import SLOW
+from workbench.design.snapshot import SLOW
 from workbench.said import Said
 from workbench.scene import AutoNet
 

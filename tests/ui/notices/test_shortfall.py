@@ -9,7 +9,7 @@ from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.widgets.messages import MessageBar
 from ui.window.run_notices import ShortfallNotice
-from workbench.design.shortfall import Shortfall
+from workbench.design.limits import Shortfall
 
 NARROW = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
 THIN = Shortfall("max_thickness", (0.1, 0.9), (0.1, 0.6), 0.4)

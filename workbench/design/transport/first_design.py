@@ -1,4 +1,16 @@
-"""The first lens of a task: by one face, or by two where these are better."""
+"""The first design of a task by transport: by one face, or by two where these are better.
+
+A source of some size blurs the image. The first design then forms, with light from the middle of
+the source alone, the image that comes closest to the target when it is blurred. A grid of 6 × 6
+points that blurs a letter over six pixels: error 10.2 %, and 18.0 % where the target itself is
+formed; 13.5 % where the closest image may lie anywhere within a pixel. The closest image is found
+on parts of pixels: a letter in the sun is 6.1 % off on thirds of them, 6.6 % on whole ones. Steps
+of descent with a sharp source do not help (10.5 % after 40).
+
+A source close to the lens is blurred differently by each part of it, so the target itself is used:
+a letter by an LED of 2 × 2 mm, 30 mm before a lens of 30 mm, is 6.3 % off after the run; from the
+closest image it is 7.4 %.
+"""
 
 import math
 from collections.abc import Callable, Mapping
@@ -9,14 +21,20 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.design.limits import bounded
 from workbench.design.transport.lines import line_start
+from workbench.design.transport.shared import shared_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
+from workbench.extended.blur import Blur, one_over_the_lens
+from workbench.extended.deblur import spread_light
+from workbench.extended.scattering import Scattering, film_scene
 from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
 from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import PlaneFace, Scene, WantedImage
 
+# Control points along an axis, at most, of a lens that only tells where its face is.
+_ROUGH = 64
 _BOTH, _ALONE = Said("both faces"), Said("the exit face alone")
 _LINES = Said("both faces along lines through all images")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
@@ -140,7 +158,7 @@ def _chosen(errors: Mapping[Said, float], best: Said) -> Said:
 
 
 def behind_flat_entrance(scene: Scene) -> Scene:
-    """The task for the exit face alone, with as much room as beside a freeform entrance face."""
+    """The task for the exit face alone, as thick as beside a freeform entrance face."""
     lens = bounded(scene)
     low, high = lens.entrance_range
     near = lens.front_z - scene.source.nearest_z < max(lens.half_width)
@@ -153,10 +171,88 @@ def behind_flat_entrance(scene: Scene) -> Scene:
 
 
 def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
-    """A first lens with a flat entrance face, where it has room to become another."""
+    """A first lens with a flat entrance face, placed so that it can become another."""
     flat = behind_flat_entrance(scene)
     heights = transport_start(flat, target)
     if heights is None:
         return None
     front, back = freeform_nets(scene.optic).items()
     return {front[0]: np.full(front[1].shape, flat.optic.front_z), back[0]: heights}
+
+
+class _SharpTask(NamedTuple):
+    """A task for light that nothing blurs."""
+
+    scene: Scene
+    target: Array
+
+
+def first_design(
+    scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES
+) -> First | None:
+    """A first lens by transport; see `first_of`, and for several images `first_of_several`.
+
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v).
+    """
+    scattering = Scattering.of(scene) if len(scene.images) == 1 else None
+    scene = film_scene(scene)
+    several = len(scene.designed_numbers) > 1
+    scene = scene if several else scene.alone
+    if scattering is not None:
+        scene, target = _grown(scene, *scattering.unscattered(target))
+    if several:
+        heights = shared_start(scene, target, fixed)
+        return None if heights is None else First(heights)
+    if len(scene.images) > 1:
+        return first_of_several(
+            scene, target, lambda image: first_design(image.scene, image.target, fixed), fixed
+        )
+    if Blur.of(scene).within_a_pixel or not one_over_the_lens(scene):
+        return first_of(scene, target, fixed)
+    # How far the designed face is from the receiver tells how wide the blur is.
+    face_z = _face_z(scene, target, fixed)
+    return None if face_z is None else first_of(*_sharp_task(scene, target, face_z), fixed)
+
+
+def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | None:
+    """Mean height of the designed face; of one that is not fixed, on a net of few points."""
+    face = scene.optic.designed_face
+    if face in fixed:
+        return float(fixed[face].mean())
+    rough = first_of(_roughly(scene), target, fixed)
+    return None if rough is None else float(rough.heights[face].mean())
+
+
+def _roughly(scene: Scene) -> Scene:
+    """The scene on a net that is quickly fitted."""
+    n_u, n_v = (min(count, _ROUGH) for count in scene.optic.net_shape)
+    return scene.with_optic(scene.optic.shaped(control_points=(n_u, n_v)))
+
+
+def _sharp_task(scene: Scene, target: Array, exit_z: float) -> _SharpTask:
+    """The task whose light, blurred from an exit face at ``exit_z``, comes closest to a target."""
+    receiver = scene.receiver
+    blur = Blur.of(scene, exit_z).seen_in(receiver.pixels)
+    parts = blur.parts
+    light = spread_light(target, blur, parts)
+    wide, light = _grown(scene, light, blur.margin, parts)
+    return _SharpTask(wide.model_copy(update={"source": scene.source.sharp}), light)
+
+
+def _grown(
+    scene: Scene, light: Array, blur_margin: tuple[int, int], parts: int = 1
+) -> tuple[Scene, Array]:
+    """The task for light in parts of pixels that has the margin of a blur."""
+    receiver = scene.receiver
+    # Some of it may be beside the receiver, as far as there is light.
+    margin = [
+        m if np.isinf(most) else min(m, int((most / r - 1) / 2 * n))
+        for m, most, r, n in zip(
+            blur_margin, receiver.farthest, receiver.half_extent, receiver.pixels, strict=True
+        )
+    ]
+    cut_x, cut_y = (parts * (m - kept) for m, kept in zip(blur_margin, margin, strict=True))
+    light = light[cut_y : light.shape[0] - cut_y, cut_x : light.shape[1] - cut_x]
+    grown = receiver.grown((margin[0], margin[1]))
+    n_x, n_y = (parts * n for n in grown.pixels)
+    return scene.with_receiver(grown.model_copy(update={"pixels": (n_x, n_y)})), light

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.room import Room
+from workbench.design.bounds import Bounds
 from workbench.design.run import run
 
 FREE = {"lens.height_range": None, "lens.control_points": [24, 24]}
@@ -17,24 +17,24 @@ def corner():
     return image
 
 
-def ends(room):
-    free = room.height_range().ranges["lens.back"]
+def ends(bounds):
+    free = bounds.height_range().ranges["lens.back"]
     return free.lower.min().item(), free.upper.max().item()
 
 
 def test_an_automatic_range_holds_the_first_lens_with_some_space(make_scene, corner):
-    room = Room(make_scene(FREE), corner)
-    low, high = ends(room)
-    most = np.abs(room.first["lens.back"] - 0.5).max()
+    bounds = Bounds(make_scene(FREE), corner)
+    low, high = ends(bounds)
+    most = np.abs(bounds.first["lens.back"] - 0.5).max()
     assert high - 0.5 == pytest.approx(3 * most)
     assert low == max(0.05, 0.5 - 3 * most)
-    assert room.notes == (f"heights within {3 * most:.3g} cm of the base",)
+    assert bounds.notes == (f"heights within {3 * most:.3g} cm of the base",)
 
 
 def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene, corner):
     *_, last = run(make_scene(FREE | {"lens.height_range": [-0.05, 0.05]}), corner)
     short = last.state.shortfall
-    first = Room(make_scene(FREE), corner).first["lens.back"]
+    first = Bounds(make_scene(FREE), corner).first["lens.back"]
     assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
     assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
     assert short.share > 0.1
@@ -51,7 +51,7 @@ def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene
     stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
     *_, last = run(make_scene(FREE | stock), corner)
     short = last.state.shortfall
-    extent = np.ptp(Room(make_scene(FREE), corner).first["lens.back"])
+    extent = np.ptp(Bounds(make_scene(FREE), corner).first["lens.back"])
     assert (short.cause, short.allowed) == ("max_thickness", (0.1, 0.2))
     assert short.needed == pytest.approx((0.1, 0.1 + extent), rel=0.1)
 
@@ -66,16 +66,17 @@ ASIDE = {
 def test_an_automatic_thickness_is_as_large_as_the_first_lens_needs(make_scene):
     target = np.zeros((32, 32))
     target[8:24, 8:24] = 1.0
-    room = Room(make_scene(ASIDE), target)
+    bounds = Bounds(make_scene(ASIDE), target)
     half_way = (0.5 + 5.0) / 2
-    assert room.limits["lens.back"].upper == pytest.approx(half_way)
-    extent = np.ptp(room.first["lens.back"])
+    assert bounds.limits["lens.back"].upper == pytest.approx(half_way)
+    extent = np.ptp(bounds.first["lens.back"])
     assert extent > half_way - 0.05  # the nearer half before the screen is too thin
-    assert room.limits["lens.back"].hold(room.limits["lens.back"].nearest(room.first["lens.back"]))
-    assert room.limits["lens.back"].lacks(room.first["lens.back"]) <= 0
-    assert half_way < room.limits["lens.back"].upper.max() < 4.5
-    assert room.shortfall({"lens.back": room.first["lens.back"]}) is None
-    stock = Room(make_scene(ASIDE | {"lens.max_thickness": half_way}), target)
+    limits, first = bounds.limits["lens.back"], bounds.first["lens.back"]
+    assert limits.hold(limits.nearest(first))
+    assert limits.lacks(first) <= 0
+    assert half_way < limits.upper.max() < 4.5
+    assert bounds.shortfall({"lens.back": first}) is None
+    stock = Bounds(make_scene(ASIDE | {"lens.max_thickness": half_way}), target)
     assert stock.first is not None and stock.shortfall(stock.begin).cause == "max_thickness"
 
 
@@ -84,8 +85,8 @@ ENTRANCE = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.1]}}
 
 def test_an_entrance_face_that_fills_its_range_is_reported(make_scene, corner):
     half = np.where(np.arange(24)[:, None] < 12, -0.09, 0.09) * np.ones((24, 24))
-    room = Room(make_scene(FREE | ENTRANCE), corner)
-    short = room.shortfall({"lens.back": np.full((24, 24), 0.5), "lens.front": half})
+    bounds = Bounds(make_scene(FREE | ENTRANCE), corner)
+    short = bounds.shortfall({"lens.back": np.full((24, 24), 0.5), "lens.front": half})
     assert (short.cause, short.allowed) == ("entrance_range", (-0.1, 0.1))
     assert short.share == pytest.approx(0.9)
     assert short.sentence(make_scene(ENTRANCE)) == (

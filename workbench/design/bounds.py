@@ -1,22 +1,139 @@
-"""The room of a run: where its control heights may be, and whether that is enough."""
+"""Bounds of the control heights of a run, and whether the task fits within them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from workbench.arrays import Array, Mask
-from workbench.design.aim import first_lens
-from workbench.design.heights import FreeHeights, HeightRange
-from workbench.design.limits import CLOSEST, HeightLimits, bounded
-from workbench.design.shortfall import Cause, Shortfall
-from workbench.design.transport import First, behind_flat_entrance
+from workbench.design.limits import CLOSEST, Cause, HeightLimits, Shortfall, bounded
+from workbench.design.transport import First, behind_flat_entrance, first_design
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.process import release_freed_memory
 from workbench.said import Said
 from workbench.scene import Element, Scene
+
+_AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
+
+
+@dataclass(frozen=True)
+class HeightRange:
+    """Open interval of each control height of a face, entered through tanh.
+
+    De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole face then keeps
+    within the limits, and both faces apart by the minimal thickness, at every iteration.
+    """
+
+    # (n_u, n_v), ends of the interval, scene units.
+    lower: Tensor
+    upper: Tensor
+    # (n_u, n_v), parameters of the undesigned lens: base plus the middle of the height range.
+    rest: Tensor
+    kept: Tensor | None = None  # (n_u, n_v), heights that no parameter changes; NaN where one does
+    face: str = "lens.back"  # name of the face
+
+    @classmethod
+    def of(
+        cls, optic: Element, net: ControlNet, device: torch.device | str = "cpu"
+    ) -> "HeightRange":
+        """The range that an optic allows on a control net of its shaped face; see `within`."""
+        return cls.within(HeightLimits.of(optic, net), device, optic.designed_face)
+
+    @classmethod
+    def within(
+        cls, limits: HeightLimits, device: torch.device | str = "cpu", face: str = "lens.back"
+    ) -> "HeightRange":
+        """The range between the limits of a face.
+
+        Raises `ValueError` if the lens leaves its range to the run; see `Bounds`.
+        """
+        if not np.isfinite(limits.upper).all():
+            raise ValueError("the lens has neither a height range nor a maximal thickness")
+        ends = limits.lower, limits.upper
+        parts = (*ends, _inside(limits.undesigned, *ends))
+        lower, upper, rest = (torch.as_tensor(part, device=device) for part in parts)
+        return cls(lower, upper, rest, face=face)
+
+    def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
+        """The same range, but locked control points keep their heights exactly.
+
+        `locked` (n_u, n_v): which; none by default; `start` (n_u, n_v): their heights, in the range
+        or not; those of the undesigned lens by default.
+        """
+        if locked is None:
+            return self
+        heights = self._heights(self.rest).cpu().numpy() if start is None else start
+        kept = torch.as_tensor(np.where(locked, heights, np.nan), device=self.lower.device)
+        return replace(self, kept=kept)
+
+    def heights(self, parameters: Tensor) -> Mapping[str, Tensor]:
+        """Control heights (n_u, n_v) of parameters, by the name of the face."""
+        return {self.face: self._heights(parameters)}
+
+    def _heights(self, parameters: Tensor) -> Tensor:
+        free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
+        return free if self.kept is None else torch.where(self.kept.isnan(), free, self.kept)
+
+    def parameters(self, heights: Array) -> Tensor:
+        """Parameters of control heights; heights at or beyond an end go just inside it."""
+        lower, upper = self.lower.cpu().numpy(), self.upper.cpu().numpy()
+        return torch.as_tensor(_inside(heights, lower, upper), device=self.lower.device)
+
+
+class FreeHeights:
+    """The ranges of all freeform faces of a lens; parameters and heights by the names of faces.
+
+    `ranges`: one for each face, in the order in which light meets them. `ranges`: the same by the
+    names of their faces.
+    """
+
+    def __init__(self, ranges: Iterable[HeightRange]) -> None:
+        self.ranges = {each.face: each for each in ranges}
+
+    @property
+    def rest(self) -> dict[str, Tensor]:
+        """Parameters of the undesigned lens."""
+        return {face: each.rest for face, each in self.ranges.items()}
+
+    @property
+    def apart(self) -> dict[str, Tensor]:
+        """The same, but faces that are all at an end of their range are in its middle.
+
+        An entrance face with an automatic range begins at the lower end of it, for instance. There
+        the tanh passes next to no gradient.
+        """
+        return {
+            face: torch.where((z.abs() > _AT_END).all(), torch.zeros_like(z), z)
+            for face, z in self.rest.items()
+        }
+
+    @property
+    def widths(self) -> dict[str, float]:
+        """How wide the ranges are on average, scene units."""
+        return {face: (each.upper - each.lower).mean().item() for face, each in self.ranges.items()}
+
+    def heights(self, parameters: Mapping[str, Tensor]) -> dict[str, Tensor]:
+        """Control heights of parameters."""
+        return {
+            face: height
+            for face, each in self.ranges.items()
+            for height in each.heights(parameters[face]).values()
+        }
+
+    def parameters(self, heights: Mapping[str, Array]) -> dict[str, Tensor]:
+        """Parameters of control heights; see `HeightRange.parameters`."""
+        return {face: each.parameters(heights[face]) for face, each in self.ranges.items()}
+
+
+def _inside(heights: Array, lower: Array, upper: Array) -> Array:
+    # At the very ends the parameter would be infinite and its gradient 0 for ever.
+    y = np.clip(2 * (heights - lower) / (upper - lower) - 1, -0.999, 0.999)
+    return np.arctanh(y)
+
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
 # least this part of what bends the light at the rim by half of the screen's width.
@@ -25,23 +142,15 @@ _TIMES, _LEAST = 3.0, 0.1
 _END, _MANY = 0.003, 0.02
 # An entrance face that fills so much of its range was flattened to fit it.
 _FULL = 0.85
-# An automatic thickness becomes as large as the first lens needs, and by this part of the extent of
-# that lens larger: thicker glass loses light. A lens for a lamp far off the axis needs 3.4 cm.
-# Error and light on the screen:
-#
-# | thickness | error | light |
-# |---|---|---|
-# | 3.1 cm | 34 % | 43 % |
-# | 3.45 cm | 20 % | 39 % |
-# | 3.6 cm | 22 % | 38 % |
-# | 4.2 cm | 22 % | 33 % |
-# | 4.8 cm | 28 % | 29 % |
+# An automatic thickness is as large as the first design needs, and larger by this part of its
+# extent. A lens for a lamp far off the axis needs 3.4 cm: with 3.1 cm it is 34 % off, with 3.45 cm
+# 20 %, with 4.8 cm 28 %, and thicker glass loses light.
 _MARGIN = 0.02
 # What the first lens may lack, as a part of its extent along z, without being any worse.
 _TOLERABLE = 0.02
 
 
-class Room:
+class Bounds:
     """Where the control heights of a run may be, by what its lens allows and its task needs.
 
     The first lens that transport finds tells the need. That takes a second, and is done when it is
@@ -77,10 +186,10 @@ class Room:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
             fixed = {face: self.begin[face] for face, mask in self.locked.items() if mask.all()}
-            found = first_lens(self.scene, self.target, fixed)
+            found = first_design(self.scene, self.target, fixed)
             if self._thickened(found):
                 thicker = self.scene.with_optic(self._lens)
-                found = first_lens(thicker, self.target, fixed)
+                found = first_design(thicker, self.target, fixed)
             self._found = (found,)
             release_freed_memory()
         found = self._found[0]
@@ -113,17 +222,17 @@ class Room:
             for face, limits in HeightLimits.of_faces(element).items()
         }
 
-    def alone(self) -> "Room":
-        """The room of the exit face alone behind a flat entrance face.
+    def alone(self) -> "Bounds":
+        """Bounds of the exit face alone behind a flat entrance face.
 
         A first lens of both faces was compared with one of it, which is not looked for again.
         """
-        room = Room(behind_flat_entrance(self.scene), self.target)
+        bounds = Bounds(behind_flat_entrance(self.scene), self.target)
         found = None if self._found is None else self._found[0]
         if found is not None and found.alone is not None:
-            room._raised(self._lens.ceiling)
-            room._found = (First({self._face: found.alone}),)
-        return room
+            bounds._raised(self._lens.ceiling)
+            bounds._found = (First({self._face: found.alone}),)
+        return bounds
 
     @property
     def begin(self) -> dict[str, Array]:

@@ -1,0 +1,287 @@
+"""Images of lenses against their targets: one, several, and those behind a diffuser."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Protocol
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from workbench.arrays import Array
+from workbench.design.lens_blur import BlurredPlan, LensBlur, LightBlurring, powers
+from workbench.design.lens_state import FurtherLight, LensState, Step
+from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
+from workbench.extended.blur import Blur
+from workbench.extended.scattering import Directions, Scattering
+from workbench.extended.wanted import wanted_light
+from workbench.geometry.surface import nets_of
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.light import Light
+from workbench.optics.paths import ray_paths
+from workbench.optics.plan import device_of
+from workbench.optics.samples import Corners
+from workbench.said import Said
+from workbench.scene import GaussianScatter, Scene, Screen, WantedImage
+
+# Rays that tell the directions of light at a receiver, and the degree of polynomials through them.
+_RAYS, _DEGREE = (48, 48), 3
+# Fewer rays do not tell. Those that come to the plane farther out, in half-widths of the screen,
+# are left out; beyond nearly all of the others, directions are as at that border.
+_FEWEST, _NEAR, _NEARLY_ALL = 100, 2.0, (0.002, 0.998)
+
+
+class BeamImages(Protocol):
+    """A plan of images, such as `workbench.optics.beam_plan.BeamPlan`."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen and what is left out, in words, for a run's log."""
+        ...
+
+    def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
+        """Image and light account of a lens."""
+        ...
+
+
+class ScatteredPlan:
+    """Images of undeflected light, scattered; see `workbench.optics.beam_plan.BeamPlan`.
+
+    `plan`: makes images of undeflected light in parts of pixels; `scattering`: what the diffuser
+    makes of them; `pixels`: of the receiver.
+    """
+
+    def __init__(self, plan: BeamImages, scattering: Scattering, pixels: tuple[int, int]) -> None:
+        self._plan, self._scattering, self._pixels = plan, scattering, pixels
+        self._blurring: dict[tuple[int, int], LightBlurring] = {}
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """See `BeamImages`."""
+        x, y = self._scattering.widths
+        scattered = Said("the diffuser blurs it over {x:.3g} × {y:.3g} pixels", x=x, y=y)
+        return *self._plan.notes, scattered
+
+    def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
+        """See `BeamImages`."""
+        parts = self._scattering.parts
+        light = self._plan.trace(heights, (parts * margin[0], parts * margin[1]))
+        if margin not in self._blurring:
+            self._blurring[margin] = self._made(margin, light.flux.device)
+        return self._blurring[margin].light(light, self._pixels, margin, parts)
+
+    def _made(self, margin: tuple[int, int], device: torch.device) -> LightBlurring:
+        scattering, (n_x, n_y), (m_x, m_y) = self._scattering, self._pixels, margin
+        parts = scattering.parts
+        factors = scattering.factors_at((parts * n_x, parts * n_y), (parts * m_x, parts * m_y))
+        kernels = scattering.kernels[:, None]
+        return LightBlurring.of(kernels[0], kernels[1:], factors, device)
+
+
+def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Directions | None:
+    """Mean directions in which light of a lens comes to places of a plane.
+
+    None where no polynomials are needed, or too few rays come to the plane.
+    """
+    diffuser, screen = scene.diffuser, scene.receiver
+    gaussian = diffuser is not None and isinstance(diffuser.scatter, GaussianScatter)
+    if not gaussian or not isinstance(screen, Screen):
+        return None
+    found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
+    paths = ray_paths(scene, found, _RAYS)
+    right, up, normal = screen.sides
+    start, end = paths.points[:, -2], paths.points[:, -1]
+    ahead = np.abs((end - start) @ normal)
+    place = (end - np.array(screen.position)) @ np.stack([right, up], axis=1) / screen.half_width
+    near = (paths.weight > 0) & (ahead > 0) & (np.abs(place) < _NEAR).all(axis=1)
+    if np.count_nonzero(near) < _FEWEST:
+        return None
+    place, weight = place[near], np.sqrt(paths.weight[near])
+    slopes = (end - start)[near] / ahead[near, None]
+    terms = weight * powers(place[:, 0], place[:, 1], _DEGREE)
+    factors = np.linalg.lstsq(terms.T, weight[:, None] * slopes)[0]
+    low, high = np.quantile(place, _NEARLY_ALL, axis=0)
+
+    def directions(u: Array, v: Array) -> Array:
+        lit = np.clip(np.stack([u, v], axis=-1) / screen.half_width, low, high)
+        found = powers(lit[:, 0], lit[:, 1], _DEGREE).T @ factors
+        return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True))
+
+    return directions
+
+
+# Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
+# the first lens falls, within these.
+MARGINS = 0.05, 1.0
+# Time of a cell that is drawn as a box, see `workbench.optics.boxes`, over that of a beam: of
+# trace, image and gradients, with one freeform face and with two, of which the trace takes most.
+_OF_A_BOX = 0.3, 0.75
+
+
+class WideImage:
+    """Compares lenses with the target, light beside the screen included.
+
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `cells`: cells of the light of
+    each origin along x and y, and how many origins; see `BeamPlan`; `light_extent`: how far from
+    the receiver's middle light falls; `mirrored`: whether all lenses are mirror images of
+    themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
+    that is nearly the same everywhere: light of its middle is traced then, and blurred;
+    `asked_light`: flux that the image shall have. By default what arrives, however much that is;
+    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
+    `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
+    cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
+    is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
+    ``blur`` and ``scattering`` along x and y, parts of those of the receiver.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        target: Array,
+        cells: tuple[int, int] | Corners,
+        light_extent: tuple[float, float],
+        mirrored: tuple[bool, bool] = (False, False),
+        blur: LensBlur | None = None,
+        asked_light: float | None = None,
+        scattering: Scattering | None = None,
+    ) -> None:
+        self._scene, receiver = scene, scene.receiver
+        (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
+        m_x, m_y = (
+            _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
+        )
+        parts = scattering.parts if scattering else 1
+        fine = receiver.model_copy(update={"pixels": (parts * n_x, parts * n_y)})
+        traced = scene.with_receiver(fine)
+        plan: BeamPlan | BlurredPlan = (
+            BlurredPlan(traced, (cells[0], cells[1]), blur.scaled(parts), mirrored)
+            if blur
+            else BeamPlan(traced, cells, mirrored=mirrored)
+        )
+        self._plan: BeamImages = (
+            ScatteredPlan(plan, scattering, receiver.pixels) if scattering else plan
+        )
+        self._margin, self._asked_light = (m_x, m_y), asked_light
+        halves = 2 ** sum(mirrored)
+        corners = Corners(*cells)
+        self.blurred = blur is not None or scattering is not None or corners.origins > 1
+        blurs = [each.widths for each in (blur and blur.mean, scattering) if each]
+        x, y = map(max, zip((0.0, 0.0), *blurs, strict=True))
+        self.blur_widths = x / n_x, y / n_y
+        origins = corners.origins * scene.source.point_count
+        if corners.of_source is not None:
+            origins = math.prod(corners.of_source)
+        boxes = isinstance(plan, BeamPlan) and plan.boxes
+        each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1] if boxes else 1.0
+        self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
+        self._pixel_measure = receiver.pixel_measure
+        self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
+        device = device_of(scene)
+        self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
+        # Where pixels cover different measures, densities are compared, as shares of all light.
+        seen = Blur.of(scene).seen_in(receiver.pixels)
+        flux = share(target * receiver.relative_measure())
+        if scattering is None:
+            wanted = wanted_light(flux, seen, (m_x, m_y))
+        else:
+            source = None if seen.within_a_pixel else seen.spread()[0]
+            wanted = scattering.wanted(flux, (m_x, m_y), source)
+        wanted = wanted / receiver.relative_measure(m_y)
+        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
+        self._relative = measure_of(receiver, device)
+        self._wide_relative = measure_of(receiver, device, m_y)
+        self._scale = self._wanted.norm().item()
+
+    def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
+        """Error relative to the norm of the target, on the wide image, and the step to report.
+
+        Raises `RunFailed` if there is no light on the wide image, or the loss is not finite.
+        """
+        traced = self._plan.trace(heights, self._margin)
+        check_light(traced.flux.detach(), traced.account, self._scene)
+        step = self._step(heights, traced)
+        light = self._asked_light or traced.account.arrived
+        error = traced.flux / light / self._wide_relative - self._wanted
+        return error / self._scale, step
+
+    def step(self, heights: Mapping[str, Tensor]) -> Step:
+        """The step to report of a lens, also of one that sends no light here."""
+        with torch.no_grad():
+            return self._step(heights, self._plan.trace(heights, self._margin))
+
+    def _step(self, heights: Mapping[str, Tensor], traced: Light) -> Step:
+        account = traced.account
+        flux = traced.flux.detach()[self._on_screen]
+        loss = paper_loss(flux, self._share, self._relative)
+        check_finite(loss, account)
+        merit = None if flux.sum() > 0 else math.inf
+        state = LensState.traced(heights, flux, self._pixel_measure, loss, account)
+        return Step(state, self._plan.notes, merit)
+
+
+def _margin(extent: float, pixels: int, farthest: float) -> int:
+    """Pixels beyond a receiver that hold light up to ``extent`` half-extents from its middle.
+
+    There is no light beyond ``farthest``.
+    """
+    least, most = MARGINS
+    wanted = math.ceil(min(max((extent - 1) / 2, least), most) * pixels)
+    return wanted if math.isinf(farthest) else min(wanted, int((farthest - 1) / 2 * pixels))
+
+
+class SeveralImages:
+    """Compares lenses with several targets at once, as `WideImage` does with one.
+
+    The square of its error is the mean of the squares of theirs, each relative to its own target,
+    by the weights of the images.
+
+    `images`: one for each of the scene's images; `wanted`: the same images, as the task asks for
+    them. `effort`: of all of them together; see `WideImage`; `blurred`: whether any is the light of
+    a source whose size blurs it; `blur_widths`: the least of those of all images; see `WideImage`.
+    """
+
+    def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:
+        self._images = images
+        total = sum(image.weight for image in wanted)
+        self._weights = [image.weight / total for image in wanted]
+        # By these the paper's loss becomes an error relative to the target.
+        self._units = [
+            float(np.linalg.norm(share(image.target))) / image.target.size**0.5 for image in wanted
+        ]
+        self.effort = sum(image.effort for image in images)
+        self.blurred = any(image.blurred for image in images)
+        x, y = (min(widths) for widths in zip(*(i.blur_widths for i in images), strict=True))
+        self.blur_widths = x, y
+
+    def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
+        """Errors of all images in a row, and the step to report; see `WideImage.compare`."""
+        found = [image.compare(heights) for image in self._images]
+        parts = (
+            math.sqrt(weight) * error.flatten()
+            for weight, (error, _) in zip(self._weights, found, strict=True)
+        )
+        return torch.cat(list(parts)), self._joined([step for _, step in found])
+
+    def step(self, heights: Mapping[str, Tensor]) -> Step:
+        """The step to report of a lens; see `WideImage.step`."""
+        return self._joined([image.step(heights) for image in self._images])
+
+    def _joined(self, steps: Sequence[Step]) -> Step:
+        """One step for those of all images, with the notes of the first."""
+        first, *others = (step.state for step in steps)
+        squares = (
+            weight * (step.state.loss / unit) ** 2
+            for weight, unit, step in zip(self._weights, self._units, steps, strict=True)
+        )
+        further = tuple(FurtherLight(s.irradiance, s.loss, s.account) for s in others)
+        loss = self._units[0] * math.sqrt(sum(squares))
+        # Without light at one of its places, a lens is no good.
+        dark = any(step.merit is not None for step in steps)
+        return Step(
+            replace(first, loss=loss, further=further), steps[0].notes, math.inf if dark else None
+        )
+
+
+AnyImage = WideImage | SeveralImages
+"""What lenses are compared by."""
