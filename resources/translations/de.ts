@@ -7510,57 +7510,57 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Quarzglas</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>all iterations are done</source>
             <translation>alle Iterationen sind ausgeführt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>all control points are locked</source>
             <translation>alle Kontrollpunkte sind gesperrt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>stopped</source>
             <translation>gestoppt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>converged: error below {error:g} %</source>
             <translation>konvergiert: Fehler unter {error:g} %</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>converged: no step makes the image better</source>
             <translation>konvergiert: kein Schritt verbessert das Bild</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>converged: less than {gain:g} % better in {patience} iterations</source>
             <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
             <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>{ended}; no iteration made the lens better</source>
             <translation>{ended}; keine Iteration hat die Linse verbessert</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>{ended}; the exit face alone makes no image</source>
             <translation>{ended}; die Austrittsfläche allein macht kein Bild</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>{ended}; after {iterations} iterations the error of both faces was {times:.2g} times that of the exit face behind a flat entrance</source>
             <translation>{ended}; nach {iterations} Iterationen war der Fehler beider Flächen {times:.2g}-mal so groß wie der der Austrittsfläche hinter einem ebenen Eintritt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/endings.py" />
+            <location filename="../../workbench/design/snapshot.py" />
             <source>failed: {why}</source>
             <translation>gescheitert: {why}</translation>
         </message>
@@ -7840,14 +7840,204 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>es kommen so wenige Strahlen der Datei im Fernfeld an, dass einige von {parts} Teilen davon kein Bild ergeben: die Prüfung braucht eine Datei mit mehr Strahlen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/blurred_plan.py" />
+            <location filename="../../workbench/design/bounds.py" />
+            <source>heights within {most:.3g} {unit} of the base</source>
+            <translation>Höhen bis {most:.3g} {unit} von der Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the lens, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the lens, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the mirror, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the screen; target.viewed_from "front" turns it around</source>
+            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Schirm richtig zu lesen; target.viewed_from "front" dreht es um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the far field; target.viewed_from "front" turns it around</source>
+            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Fernfeld richtig zu lesen; target.viewed_from "front" dreht es um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>none of its light goes to the lens; turn or move it</source>
+            <translation>kein Licht von ihr trifft die Linse; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>none of its light goes to the mirror; turn or move it</source>
+            <translation>kein Licht von ihr trifft den Spiegel; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>the control heights of the fixed face are missing; a file (.npy)</source>
+            <translation>die Kontrollhöhen der festen Fläche fehlen; eine Datei (.npy)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte der fertigen Linse, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte des fertigen Spiegels, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/checks.py" />
+            <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
+            <translation>Das Bild bleibt {error:.0f} % daneben: {n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels. {finer_u} × {finer_v}, die automatische Wahl, können sie zeigen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/images.py" />
+            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>der Diffusor verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/lens_blur.py" />
             <source>its light is blurred over {x:.3g} × {y:.3g} pixels</source>
             <translation>das Licht ist über {x:.3g} × {y:.3g} Pixel verschmiert</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/coarse_net.py" />
-            <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
-            <translation>Das Bild bleibt {error:.0f} % daneben: {n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels. {finer_u} × {finer_v}, die automatische Wahl, können sie zeigen.</translation>
+            <location filename="../../workbench/design/limits.py" />
+            <source>widen the height range, or leave it out</source>
+            <translation>den Höhenbereich erweitern oder weglassen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>thicker stock, or a smaller minimal thickness, lets the lens bend more</source>
+            <translation>mit einem dickeren Rohteil oder einer kleineren Mindestdicke kann die Linse stärker ablenken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>a higher base or a smaller minimal thickness gives it room</source>
+            <translation>eine höhere Basis oder eine kleinere Mindestdicke schafft Platz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>move the screen away from the lens</source>
+            <translation>den Schirm von der Linse wegrücken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>widen the entrance range</source>
+            <translation>den Eintrittsbereich erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
+            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres automatischen Bereichs von {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
+            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres Bereichs von {range} {unit} und würde in einem weiteren mehr vom Licht ablenken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an der Mindestdicke von {thinnest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{range} {unit} is the automatic limit</source>
+            <translation>{range} {unit} ist die automatische Grenze</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{range} {unit} is allowed</source>
+            <translation>erlaubt sind {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{part:.0f} % of the control heights are at an end of their range; {allowed}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an einem Ende ihres Bereichs; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The lens needs {range} {unit}; {allowed}</source>
+            <translation>Die Linse braucht {range} {unit}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The mirror needs {range} {unit}; {allowed}</source>
+            <translation>Der Spiegel braucht {range} {unit}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{thickest:.3g} {unit} is the automatic limit</source>
+            <translation>{thickest:.3g} {unit} ist die automatische Grenze</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>the screen leaves room for {thickest:.3g} {unit}</source>
+            <translation>der Schirm lässt Platz für {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>the stock allows {thickest:.3g} {unit}</source>
+            <translation>das Rohteil erlaubt {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{part:.0f} % of the control heights are at the largest thickness; {allowed}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an der größten Dicke; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The lens needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>Die Linse müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>The mirror needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>Der Spiegel müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{sentence}: {cure}</source>
+            <translation>{sentence}: {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{field}: {said}</source>
+            <translation>{field}: {said}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>set {field} to a larger thickness</source>
+            <translation>{field} auf eine größere Dicke setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>set {field} to a wider range</source>
+            <translation>{field} auf einen weiteren Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>±{high:.3g}</source>
+            <translation>±{high:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/limits.py" />
+            <source>{low:.3g} to {high:.3g}</source>
+            <translation>{low:.3g} bis {high:.3g}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/loss.py" />
@@ -7885,91 +8075,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{n_x} × {n_y} Pixel mit {n_u} × {n_v} Kontrollpunkten brauchen etwa {needed} Speicher, und {available} sind frei; weniger von beiden helfen, oder andere Programme zu schließen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the lens, or move its middle nearer to the axis</source>
-            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the lens, or move its middle nearer to the axis</source>
-            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the mirror, or move its middle nearer to the axis</source>
-            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
-            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the screen; target.viewed_from "front" turns it around</source>
-            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Schirm richtig zu lesen; target.viewed_from "front" dreht es um</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the far field; target.viewed_from "front" turns it around</source>
-            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Fernfeld richtig zu lesen; target.viewed_from "front" dreht es um</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>none of its light goes to the lens; turn or move it</source>
-            <translation>kein Licht von ihr trifft die Linse; drehen oder verschieben Sie sie</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>none of its light goes to the mirror; turn or move it</source>
-            <translation>kein Licht von ihr trifft den Spiegel; drehen oder verschieben Sie sie</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} sind nicht die Kontrollpunkte der fertigen Linse, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/needs.py" />
-            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} sind nicht die Kontrollpunkte des fertigen Spiegels, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>absent</source>
-            <translation>fehlt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>not designed yet</source>
-            <translation>noch nicht entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>designed for this task</source>
-            <translation>für diese Aufgabe entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>designed for another task ({run}): {differences}</source>
-            <translation>für eine andere Aufgabe entworfen ({run}): {differences}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>not designed for this task</source>
-            <translation>nicht für diese Aufgabe entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>{path} {then}, now {now}</source>
-            <translation>{path} {then}, jetzt {now}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/origin.py" />
-            <source>another target image</source>
-            <translation>ein anderes Zielbild</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/paper.py" />
             <source>'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'</source>
             <translation>'box' ist innerhalb eines Pixels konstant und gibt der Methode der Veröffentlichung keinen Gradienten; 'gaussian'</translation>
@@ -7983,11 +8088,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/parametrisation.py" />
             <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
             <translation>'{name}' hat hier {count:,} Parameter und braucht {needed} für sie, ihren Gradienten und die Momente von Adam; {available} sind frei</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/room.py" />
-            <source>heights within {most:.3g} {unit} of the base</source>
-            <translation>Höhen bis {most:.3g} {unit} von der Grundform</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -8010,11 +8110,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Kontrollpunkte: {n_u} × {n_v}, für diese Aufgabe gewählt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/scattered_plan.py" />
-            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
-            <translation>der Diffusor verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/session.py" />
             <source>it has {count} characters; 1 to {most} are needed</source>
             <translation>hat {count} Zeichen; 1 bis {most} sind nötig</translation>
@@ -8030,162 +8125,72 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>die Linse wurde für eine andere Aufgabe entworfen, die danach bearbeitet wurde; freeform design macht von ihr aus weiter</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>widen the height range, or leave it out</source>
-            <translation>den Höhenbereich erweitern oder weglassen</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>absent</source>
+            <translation>fehlt</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>thicker stock, or a smaller minimal thickness, lets the lens bend more</source>
-            <translation>mit einem dickeren Rohteil oder einer kleineren Mindestdicke kann die Linse stärker ablenken</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>not designed yet</source>
+            <translation>noch nicht entworfen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>a higher base or a smaller minimal thickness gives it room</source>
-            <translation>eine höhere Basis oder eine kleinere Mindestdicke schafft Platz</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>designed for this task</source>
+            <translation>für diese Aufgabe entworfen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>move the screen away from the lens</source>
-            <translation>den Schirm von der Linse wegrücken</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>designed for another task ({run}): {differences}</source>
+            <translation>für eine andere Aufgabe entworfen ({run}): {differences}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>widen the entrance range</source>
-            <translation>den Eintrittsbereich erweitern</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>not designed for this task</source>
+            <translation>nicht für diese Aufgabe entworfen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
-            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres automatischen Bereichs von {range} {unit}</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>{path} {then}, now {now}</source>
+            <translation>{path} {then}, jetzt {now}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
-            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres Bereichs von {range} {unit} und würde in einem weiteren mehr vom Licht ablenken</translation>
+            <location filename="../../workbench/design/task.py" />
+            <source>another target image</source>
+            <translation>ein anderes Zielbild</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
-            <translation>{part:.0f} % der Kontrollhöhen liegen an der Mindestdicke von {thinnest:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{range} {unit} is the automatic limit</source>
-            <translation>{range} {unit} ist die automatische Grenze</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{range} {unit} is allowed</source>
-            <translation>erlaubt sind {range} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{part:.0f} % of the control heights are at an end of their range; {allowed}</source>
-            <translation>{part:.0f} % der Kontrollhöhen liegen an einem Ende ihres Bereichs; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The lens needs {range} {unit}; {allowed}</source>
-            <translation>Die Linse braucht {range} {unit}; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The mirror needs {range} {unit}; {allowed}</source>
-            <translation>Der Spiegel braucht {range} {unit}; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{thickest:.3g} {unit} is the automatic limit</source>
-            <translation>{thickest:.3g} {unit} ist die automatische Grenze</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>the screen leaves room for {thickest:.3g} {unit}</source>
-            <translation>der Schirm lässt Platz für {thickest:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>the stock allows {thickest:.3g} {unit}</source>
-            <translation>das Rohteil erlaubt {thickest:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{part:.0f} % of the control heights are at the largest thickness; {allowed}</source>
-            <translation>{part:.0f} % der Kontrollhöhen liegen an der größten Dicke; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The lens needs to be {needed:.3g} {unit} thick; {allowed}</source>
-            <translation>Die Linse müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>The mirror needs to be {needed:.3g} {unit} thick; {allowed}</source>
-            <translation>Der Spiegel müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{sentence}: {cure}</source>
-            <translation>{sentence}: {cure}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{field}: {said}</source>
-            <translation>{field}: {said}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set {field} to a larger thickness</source>
-            <translation>{field} auf eine größere Dicke setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set {field} to a wider range</source>
-            <translation>{field} auf einen weiteren Bereich setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>±{high:.3g}</source>
-            <translation>±{high:.3g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>{low:.3g} to {high:.3g}</source>
-            <translation>{low:.3g} bis {high:.3g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces</source>
             <translation>beide Flächen</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>the exit face alone</source>
             <translation>die Austrittsfläche allein</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces along lines through all images</source>
             <translation>beide Flächen entlang von Linien durch alle Bilder</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>the entrance face for image {number} alone</source>
             <translation>die Eintrittsfläche allein für Bild {number}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>the exit face for image {number} alone</source>
             <translation>die Austrittsfläche allein für Bild {number}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>{error} % by {face}</source>
             <translation>{error} % für {face}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/transport/first.py" />
+            <location filename="../../workbench/design/transport/first_design.py" />
             <source>first lens: {tried}; it begins with {best}</source>
             <translation>erste Linse: {tried}; genommen: {best}</translation>
         </message>
@@ -9301,6 +9306,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
+            <source>the file has {count} control points; {given}</source>
+            <translation>die Datei hat {count} Kontrollpunkte; {given}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
             <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
         </message>
@@ -9323,11 +9333,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/lens.py" />
             <source>the entrance face</source>
             <translation>die Eintrittsfläche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/lens.py" />
-            <source>a front face is designed together with the back face; 'bspline', not fixed</source>
-            <translation>eine Vorderfläche wird zusammen mit der Rückfläche entworfen; 'bspline', nicht fest</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9547,7 +9552,7 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>'diffuser', which {who} cannot take into account; none</source>
-            <translation>'diffuser', was {who} nicht berücksichtigen kann; keiner</translation>
+            <translation>&apos;diffuser&apos;, was {who} nicht berücksichtigen kann; keiner</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9576,23 +9581,18 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
-            <source>fixed B-spline faces are not traced yet; a conic face</source>
-            <translation>feste B-Spline-Flächen werden noch nicht durchgerechnet; eine Kegelschnittfläche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train_checks.py" />
             <source>light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as where it is turned by 180 degrees about its x</source>
             <translation>Licht trifft {name} von hinten, unter {angle:.0f} Grad zu dessen z; weniger als 90, etwa nach einer Drehung um 180 Grad um dessen x</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
-            <translation>'{name}' steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
+            <translation>&apos;{name}&apos; steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
-            <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; 'plane', oder {field}: 'gaussian'</translation>
+            <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; &apos;plane&apos;, oder {field}: &apos;gaussian&apos;</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />

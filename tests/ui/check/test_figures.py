@@ -47,7 +47,7 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     )
     received = rows(figures)
     assert received["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
-    assert received["Off the optimiser's image"] == "3.210 %"
+    assert received["Difference to the optimiser"] == "3.210 %"
     assert received["On the screen"] == received["Efficiency"] == f"{100 * found.efficiency:.3f} %"
     table = figures._table
     for row, (name, value) in enumerate(received.items()):

@@ -153,7 +153,7 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, choice
     QTimer.singleShot(200, answer)
     opened = []
     unsaved.offer_left_behind(works, lambda work: not opened.append(work), window)
-    assert "small" in received[0] and "not closed" in received[0]
+    assert "small" in received[0] and "ended unexpectedly" in received[0]
     assert len(opened) == (choice is RecoveryChoice.RECOVER)
     assert len(kept(recovery)) == (choice is RecoveryChoice.LATER)
 

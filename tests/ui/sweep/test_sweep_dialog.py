@@ -115,13 +115,13 @@ def test_a_design_without_a_file_is_swept_only_into_a_folder_that_is_chosen(
     window, workers, qtbot, tmp_path, monkeypatch
 ):
     window.commands["sweep"].trigger()
-    dialog = window.sweeps.dialog
+    dialog = window.sweep
     choose(dialog, 0, "run.seed", "1")
     assert dialog.folder.text() == ""
     chosen = [str(tmp_path / "mine"), ""]
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: chosen.pop())
     dialog.toggle()
-    assert "Choose a folder" in dialog.told.text() and not dialog._background.busy
+    assert "Choose a folder" in dialog.status.text() and not dialog._background.busy
     dialog.toggle()
     qtbot.waitUntil(lambda: len(dialog._rows) == 1, timeout=60_000)
     assert (tmp_path / "mine").is_dir()
