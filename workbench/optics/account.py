@@ -63,10 +63,7 @@ _SAMPLING = 2.5e-2
 class UnbalancedAccount(Exception):
     """An account that no light can have: a defect of this program.
 
-    Parameters
-    ----------
-    account : Account
-        The account.
+    `account`: the account.
     """
 
     def __init__(self, account: "Account") -> None:
@@ -76,23 +73,15 @@ class UnbalancedAccount(Exception):
 
 @dataclass(frozen=True)
 class Account:
-    """Where the emitted flux went; ``on_screen`` and all losses add up to ``emitted``.
+    """Where the emitted flux went; ``on_screen`` and all losses add up to ``emitted``."""
 
-    Attributes
-    ----------
-    on_screen : float
-        Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim;
-        the account is of rays.
-    lost : mapping of str to float
-        Flux that was lost, by names in `LOSSES` and in their order; 0 of those that every account
-        has where nothing is given.
-    emitted : float
-        Flux of the source.
-    """
-
+    # Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim; the
+    # account is of rays.
     on_screen: float
+    # Flux that was lost, by names in `LOSSES` and in their order; 0 of those that every account has
+    # where nothing is given.
     lost: Mapping[str, float]
-    emitted: float = 1.0
+    emitted: float = 1.0  # flux of the source
 
     def __post_init__(self) -> None:
         if unknown := self.lost.keys() - LOSSES.keys():
@@ -121,10 +110,8 @@ class Account:
         negative, the samples have that much more light than there is: all are scaled down, so that
         their sum is the integral over the aperture.
 
-        Raises
-        ------
-        UnbalancedAccount
-            If shares are out of bounds, or their sum is not 1, by more than that error.
+        Raises `UnbalancedAccount` if shares are out of bounds, or their sum is not 1, by more than
+        that error.
         """
         parts = {"on_screen": self.on_screen, **self.lost}
         total, counted = sum(parts.values()), sum(max(flux, 0.0) for flux in parts.values())

@@ -28,14 +28,9 @@ def part_within(
 
     Exactly 1 of light that goes straight on.
 
-    Parameters
-    ----------
-    here, crossing : tuple of two Tensor
-        x and y of samples, and of where their light crosses the aperture, scene units.
-    size : tuple of two Tensor
-        Widths along x and y of what the samples stand for.
-    half_width : tuple[float, float]
-        Semi-axes of the outline.
+    `here`, `crossing`: x and y of samples, and of where their light crosses the aperture, scene
+    units; `size`: widths along x and y of what the samples stand for; `half_width`: semi-axes of
+    the outline.
     """
     holds = _held(*here, size, half_width)
     part = _held(*crossing, size, half_width) / torch.where(holds > 0, holds, 1.0)

@@ -36,32 +36,14 @@ class BeamPlan:
 
     Each line of the light is traced by itself, and the image is their sum; see `Scene.lines`.
 
-    Parameters
-    ----------
-    scene : Scene
-        What is traced.
-    cells : tuple[int, int] or Corners
-        Cells along x and y between the rays of each origin of the light, and how many origins
-        there are of a source that leaves that open.
-    net : ControlNet, optional
-        Control net of the heights to come; the scene's own by default.
-    dtype : torch.dtype, optional
-        Float type of the trace; by default the one that the scene needs, see `precision_of`.
-    fused : bool
-        False asks for the reference.
-    mirrored : tuple[bool, bool]
-        The caller's promise that heights, lens and source are mirror images of themselves in x,
-        in y. Kernels then trace one half of the rays only, if the number of cells is even.
-
-    Attributes
-    ----------
-    boxes : bool
-        Whether cells are drawn as boxes, see `workbench.optics.boxes`.
-
-    Raises
-    ------
-    Refused
-        If the scene asks for a device that is not there.
+    `scene`: what is traced; `cells`: cells along x and y between the rays of each origin of the
+    light, and how many origins there are of a source that leaves that open; `net`: control net of
+    the heights to come; the scene's own by default; `dtype`: float type of the trace; by default
+    the one that the scene needs, see `precision_of`; `fused`: False asks for the reference;
+    `mirrored`: the caller's promise that heights, lens and source are mirror images of themselves
+    in x, in y. Kernels then trace one half of the rays only, if the number of cells is even.
+    `boxes`: whether cells are drawn as boxes, see `workbench.optics.boxes`. Raises `Refused` if the
+    scene asks for a device that is not there.
     """
 
     def __init__(
@@ -140,10 +122,7 @@ class BeamPlan:
     def light_apart(self, heights: Mapping[str, Tensor]) -> float:
         """Which part of the light passes samples that are far apart for beams between origins.
 
-        Raises
-        ------
-        TypeError
-            If beams do not run between origins.
+        Raises `TypeError` if beams do not run between origins.
         """
         if self._of_source is None:
             raise TypeError("these beams run between samples of the lens")
@@ -159,17 +138,9 @@ class BeamPlan:
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens.
 
-        Parameters
-        ----------
-        heights : mapping of str to Tensor, shape (n_u, n_v)
-            Control heights of each freeform face by name, scene units.
-        margin : tuple[int, int]
-            Pixels (m_x, m_y) that the image has beyond the screen on each side.
-
-        Returns
-        -------
-        Light
-            With an image of shape (n_y + 2 m_y, n_x + 2 m_x).
+        `heights` (n_u, n_v): control heights of each freeform face by name, scene units; `margin`:
+        pixels (m_x, m_y) that the image has beyond the screen on each side. Returns with an image
+        of shape (n_y + 2 m_y, n_x + 2 m_x).
         """
         return sum_of_lines(
             (line.part, self._of_line(line.tracer, heights, margin)) for line in self._lines

@@ -59,16 +59,9 @@ def cell_flux(nodes: Tensor, splits: Splits) -> Tensor:
 def drawn(x: Tensor, y: Tensor, density: Tensor, pixels: tuple[int, int], landed: float) -> Tensor:
     """Flux in each pixel, shape (n_y, n_x), of polygons of even light.
 
-    Parameters
-    ----------
-    x, y : Tensor, shape (polygons, corners), float64
-        Their corners, in pixels.
-    density : Tensor, shape (polygons,)
-        Flux per area, negative for polygons that are turned over.
-    pixels : tuple[int, int]
-        (n_x, n_y).
-    landed : float
-        Flux of all; pixels with next to none of it are dark.
+    `x`, `y` (polygons, corners): their corners, in pixels; `density` (polygons,): flux per area,
+    negative for polygons that are turned over; `pixels`: (n_x, n_y); `landed`: flux of all; pixels
+    with next to none of it are dark.
     """
     to_x, to_y = x.roll(-1, 1), y.roll(-1, 1)
     some = (x != to_x) | (y != to_y)

@@ -25,27 +25,16 @@ def beam_image(
 ) -> tuple[Tensor, float]:
     """Flux in each pixel of beams between rays.
 
-    Parameters
-    ----------
-    nodes : Tensor, shape (3, n, m)
-        Columns and rows of the image in which rays hit, infinite for those that never do; and
-        their flux: a ray inside the grid stands for a cell around it, one at its rim for a half or
-        a quarter of one. Rays are neighbours in the grid as they are in the lens.
-    splits : tuple of two ndarray, shape (m, 3) and (n, 3)
-        Which parts of the flux of a ray belong to the cells before and behind it, along the last
-        axis and along the one before; and 1 for rays between two cells of equal width. Several
-        grids may lie side by side: no flux belongs to the cells between them. Where there are so
-        many times as many rows of rays, all grids are alike.
-    pixels : tuple[int, int]
-        (n_x, n_y).
-    fused : bool
-        False asks for the reference.
-
-    Returns
-    -------
-    tuple of Tensor, shape (n_y, n_x), and float
-        Flux in each pixel, row 0 at the top, differentiable; and the flux of all beams whose rays
-        hit the plane of the image, on it or beside it.
+    `nodes` (3, n, m): columns and rows of the image in which rays hit, infinite for those that
+    never do; and their flux: a ray inside the grid stands for a cell around it, one at its rim for
+    a half or a quarter of one. Rays are neighbours in the grid as they are in the lens; `splits`
+    (m, 3) and (n, 3): which parts of the flux of a ray belong to the cells before and behind it,
+    along the last axis and along the one before; and 1 for rays between two cells of equal width.
+    Several grids may lie side by side: no flux belongs to the cells between them. Where there are
+    so many times as many rows of rays, all grids are alike; `pixels`: (n_x, n_y); `fused`: False
+    asks for the reference. Returns (n_y, n_x): flux in each pixel, row 0 at the top,
+    differentiable; and the flux of all beams whose rays hit the plane of the image, on it or beside
+    it.
     """
     compiled = fused and nodes.device.type == "cpu" and ready.obtain("beams", nodes.dtype)
     return (compiled_beam_image if compiled else reference_beam_image)(nodes, pixels, splits)

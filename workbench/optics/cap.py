@@ -9,22 +9,13 @@ from workbench.arrays import Array
 
 
 class Caps(NamedTuple):
-    """Spherical caps of directions, one for each of k points.
+    """Spherical caps of directions, one for each of k points."""
 
-    Attributes
-    ----------
-    axis : ndarray, shape (k, 3)
-        Unit vectors through their middles.
-    versine : ndarray, shape (k,)
-        1 − cos of the angle between the axis and its rim; of a far point the cosine itself has
-        no digits left.
-    centre : ndarray, shape (k, 2)
-        Where the axes cross the plane of the rectangle.
-    """
-
-    axis: Array
+    axis: Array  # (k, 3), unit vectors through their middles
+    # (k,), 1 − cos of the angle between the axis and its rim; of a far point the cosine itself has
+    # no digits left.
     versine: Array
-    centre: Array
+    centre: Array  # (k, 2), where the axes cross the plane of the rectangle
 
     @property
     def cos_max(self) -> Array:
@@ -40,14 +31,8 @@ class Caps(NamedTuple):
 def covering_caps(points: Array, half_width: tuple[float, float], z: float) -> Caps:
     """The smallest cap around each point that covers a centred rectangle in the plane z.
 
-    Parameters
-    ----------
-    points : ndarray, shape (k, 3)
-        The points, before the plane.
-    half_width : tuple[float, float]
-        Half-widths of the rectangle.
-    z : float
-        Where the rectangle is.
+    `points` (k, 3): the points, before the plane; `half_width`: half-widths of the rectangle; `z`:
+    where the rectangle is.
 
     Notes
     -----

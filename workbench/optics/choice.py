@@ -11,24 +11,12 @@ from workbench.said import Said
 
 
 class Choice(NamedTuple):
-    """What a plan knows of its path.
+    """What a plan knows of its path."""
 
-    Attributes
-    ----------
-    path : Path
-        The way of the light.
-    kernel : str, optional
-        Name of the compiled tracer in `workbench.optics.ready`.
-    fused : bool
-        False asks for the reference.
-    fine : bool
-        Whether the scene needs float64.
-    """
-
-    path: Path
-    kernel: str | None
-    fused: bool
-    fine: bool
+    path: Path  # the way of the light
+    kernel: str | None  # name of the compiled tracer in `workbench.optics.ready`
+    fused: bool  # False asks for the reference
+    fine: bool  # whether the scene needs float64
 
     @property
     def compiled(self) -> bool:
@@ -40,10 +28,7 @@ class Choice(NamedTuple):
     def notes(self, of_tracer: list[str]) -> list[str]:
         """What was chosen and why, in words, for a run's log.
 
-        Parameters
-        ----------
-        of_tracer : list of str
-            What is special about the tracer.
+        `of_tracer`: what is special about the tracer.
         """
         precision = str(self.path.dtype).removeprefix("torch.")
         if self.compiled:

@@ -10,37 +10,20 @@ from workbench.scene import Element, LightOfPoints
 
 
 class Rays(NamedTuple):
-    """Rays that leave a source.
+    """Rays that leave a source."""
 
-    Attributes
-    ----------
-    crossing : ndarray, shape (m, 2)
-        Where they cross the plane of the entrance face, scene units; of rays that go away from
-        it not a number or infinite.
-    direction : ndarray, shape (m, 3)
-        Unit vectors.
-    flux : ndarray, shape (m,)
-        Flux of each; all together 1.
-    """
-
+    # (m, 2), where they cross the plane of the entrance face, scene units; of rays that go away
+    # from it not a number or infinite.
     crossing: Array
-    direction: Array
-    flux: Array
+    direction: Array  # (m, 3), unit vectors
+    flux: Array  # (m,), flux of each; all together 1
 
 
 def emit(source: LightOfPoints, optic: Element, seed: int, draw: int = 0) -> Rays:
     """Rays of a source into the cap that just covers the entrance face.
 
-    Parameters
-    ----------
-    source : LightOfPoints
-        The source; each point of a grid has a cap and rays of its own.
-    optic : Element
-        Gives the entrance face.
-    seed : int
-        The same seed gives the same rays.
-    draw : int
-        Number of the ray set; each is another sample.
+    `source`: the source; each point of a grid has a cap and rays of its own; `optic`: gives the
+    entrance face; `draw`: number of the ray set; each is another sample.
 
     Notes
     -----

@@ -18,21 +18,12 @@ _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
 
 
 class Entering(NamedTuple):
-    """The light of a source on the entrance face.
+    """The light of a source on the entrance face."""
 
-    Attributes
-    ----------
-    intensity : float
-        Flux per solid angle of any point, straight ahead; all light of the source together is 1.
-    missed : float
-        Flux that passed the face by.
-    reflected : float
-        Flux reflected at the face.
-    """
-
+    # Flux per solid angle of any point, straight ahead; all light of the source together is 1.
     intensity: float
-    missed: float
-    reflected: float
+    missed: float  # flux that passed the face by
+    reflected: float  # flux reflected at the face
 
 
 @lru_cache(maxsize=8)

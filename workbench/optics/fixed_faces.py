@@ -24,20 +24,11 @@ _TINY = 1e-15
 
 
 class Followed(NamedTuple):
-    """Rays behind fixed faces, in float64.
+    """Rays behind fixed faces, in float64."""
 
-    Attributes
-    ----------
-    rays : RayBundle
-        They stay in the rows and columns of their samples, also those that are lost.
-    rim : Tensor
-        Their distance to the rims of the faces, see `workbench.optics.rim`.
-    lost : dict of str to float
-        Flux lost before the aperture and at the faces, by its name in the light account.
-    """
-
-    rays: RayBundle
-    rim: Tensor
+    rays: RayBundle  # they stay in the rows and columns of their samples, also those that are lost
+    rim: Tensor  # their distance to the rims of the faces, see `workbench.optics.rim`
+    # Flux lost before the aperture and at the faces, by its name in the light account.
     lost: dict[str, float]
 
 
@@ -46,16 +37,8 @@ def through_aperture(
 ) -> RayBundle:
     """Rays of all origins through samples of an aperture; shape (m_x, origins × m_y).
 
-    Parameters
-    ----------
-    origins : Origins
-        Where the light comes from.
-    lines : tuple of two Places
-        Samples along x and y.
-    outline : Outline
-        Of the aperture.
-    z : float
-        Where the aperture is, scene units.
+    `origins`: where the light comes from; `lines`: samples along x and y; `outline`: of the
+    aperture; `z`: where the aperture is, scene units.
     """
     across, up = lines
     count, (r_x, r_y) = len(origins.places), outline.half_width
@@ -77,16 +60,9 @@ def follow(
 ) -> Followed:
     """Follow rays from an aperture through some faces.
 
-    Parameters
-    ----------
-    rays : RayBundle
-        Rays in the aperture.
-    steps, changes : sequence of FaceStep, of Frame
-        The faces; changes of coordinates before each of them, and behind the last one.
-    aperture : tuple of Outline and str
-        Its outline, and the name of light that misses it.
-    copies : int
-        How many times the flux of the rays is that of the aperture; the source has 1.
+    `rays`: rays in the aperture; `steps`, `changes`: the faces; changes of coordinates before each
+    of them, and behind the last one; `aperture`: its outline, and the name of light that misses it;
+    `copies`: how many times the flux of the rays is that of the aperture; the source has 1.
     """
     outline, missed = aperture
     sums = {missed: 1 / copies - rays.flux.sum()}
@@ -110,14 +86,9 @@ def pass_face(
 ) -> tuple[RayBundle, Tensor, dict[str, Tensor]]:
     """Rays of samples behind a face, their distance to the rims so far, and losses by name.
 
-    Parameters
-    ----------
-    step, rays, heights
-        The face, the rays before it in its frame, and control heights.
-    rim : Tensor, optional
-        The distance before.
-    begin : tuple of Vector and Outline, optional
-        Samples and what cuts the parts that they stand for, if this is the next face behind them.
+    `step`, `rays`, `heights`: the face, the rays before it in its frame, and control heights;
+    `rim`: the distance before; `begin`: samples and what cuts the parts that they stand for, if
+    this is the next face behind them.
     """
     outline = step.surface.outline
     meeting = step.surface.meet_unbounded(rays, heights)

@@ -25,35 +25,20 @@ _MOST_STEPS = 100
 
 
 class LightInGlass(NamedTuple):
-    """The light at places in the glass; tensors of any one shape.
+    """The light at places in the glass; tensors of any one shape."""
 
-    Attributes
-    ----------
-    radius_ratio : Tensor
-        r = ρ_e / ρ.
-    steepness : Tensor
-        g: slope of the ray over ρ_e.
-    density : Tensor
-        Flux per area of the plane z = const, over that right before the point on the entrance
-        face but for Fresnel's loss there.
-    """
-
-    radius_ratio: Tensor
-    steepness: Tensor
+    radius_ratio: Tensor  # r = ρ_e / ρ
+    steepness: Tensor  # g: slope of the ray over ρ_e
+    # Flux per area of the plane z = const, over that right before the point on the entrance face
+    # but for Fresnel's loss there.
     density: Tensor
 
 
 class FlatGlass:
     """Glass behind a flat face, before it a point.
 
-    Parameters
-    ----------
-    distance : float
-        From the point to the face.
-    law : TransmittanceLaw
-        The index, and how the face refracts.
-    lambertian : bool
-        Whether the point's intensity falls with the cosine to the axis.
+    `distance`: from the point to the face; `law`: the index, and how the face refracts;
+    `lambertian`: whether the point's intensity falls with the cosine to the axis.
     """
 
     def __init__(self, distance: float, law: TransmittanceLaw, lambertian: bool) -> None:

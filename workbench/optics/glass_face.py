@@ -42,38 +42,18 @@ class LitSamples(NamedTuple):
 
 
 class Glass(NamedTuple):
-    """A plane entrance face, the light before it and the freeform face behind it.
+    """A plane entrance face, the light before it and the freeform face behind it."""
 
-    Attributes
-    ----------
-    origins : Origins
-        Where the light comes from; points are all at one distance from the entrance face.
-    step : FaceStep
-        The entrance face.
-    reflected : str
-        Name of the light that it reflects.
-    law : TransmittanceLaw
-        How much of the light it refracts.
-    z : float
-        Where it is, scene units.
-    net : ControlNet
-        Where the control heights of the face behind it sit.
-    level : float
-        z of the scene that these heights are counted from.
-    outline : Outline
-        Of both faces.
-    crowded : tuple of two Places, optional
-        Samples of the face behind it along x and y; None where they are even.
-    """
-
+    # Where the light comes from; points are all at one distance from the entrance face.
     origins: Origins
-    step: FaceStep
-    reflected: str
-    law: TransmittanceLaw
-    z: float
-    net: ControlNet
-    level: float
-    outline: Outline
+    step: FaceStep  # the entrance face
+    reflected: str  # name of the light that it reflects
+    law: TransmittanceLaw  # how much of the light it refracts
+    z: float  # where it is, scene units
+    net: ControlNet  # where the control heights of the face behind it sit
+    level: float  # z of the scene that these heights are counted from
+    outline: Outline  # of both faces
+    # Samples of the face behind it along x and y; None where they are even.
     crowded: tuple[Places, Places] | None
 
     @property
@@ -175,14 +155,7 @@ def _along(middle: float, scale: float) -> tuple[Array, Array]:
 class GlassFace:
     """Samples of the face behind the glass, with all that does not depend on its heights.
 
-    Parameters
-    ----------
-    glass : Glass
-        What is sampled.
-    lines : tuple of two Places
-        Samples along x and y.
-    path : Path
-        The path of the light.
+    `glass`: what is sampled; `lines`: samples along x and y; `path`: the path of the light.
     """
 
     def __init__(self, glass: Glass, lines: tuple[Places, Places], path: Path) -> None:

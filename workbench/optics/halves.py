@@ -18,15 +18,10 @@ _SAME = 1e-9
 
 
 class Halves(NamedTuple):
-    """Parts of the first rays along x and y that belong to the half that is traced.
+    """Parts of the first rays along x and y that belong to the half that is traced."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (m,), optional
-        1 for most rays, 0.5 for one in the middle; and 0 for one behind it, which tells how the
-        light bends there. None where all rays are traced.
-    """
-
+    # (m,), 1 for most rays, 0.5 for one in the middle; and 0 for one behind it, which tells how the
+    # light bends there. None where all rays are traced.
     x: Array | None
     y: Array | None
 
@@ -85,12 +80,7 @@ def _half(samples: Samples, axis: int) -> Array | None:
 def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:
     """Origins of which mirror images give all, and along which axes they do.
 
-    Parameters
-    ----------
-    origins : Origins
-        All of them.
-    wanted : tuple[bool, bool]
-        Along which axes to leave mirror images out, if there are any.
+    `origins`: all of them; `wanted`: along which axes to leave mirror images out, if there are any.
     """
     kept, done = origins, [False, False]
     for axis in (0, 1):

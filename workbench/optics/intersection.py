@@ -53,33 +53,19 @@ class Bundle(NamedTuple):
 
 
 class Met(NamedTuple):
-    """Where rays meet a face.
+    """Where rays meet a face."""
 
-    Attributes
-    ----------
-    depth : Tensor, shape (m,)
-        Height above z = 0; differentiable with respect to the table of patches and the rays.
-    found : Tensor of bool, shape (m,)
-        False for rays that leave through the side; their depth is a stand-in.
-    """
-
+    # (m,), height above z = 0; differentiable with respect to the table of patches and the rays.
     depth: Tensor
-    found: Tensor
+    found: Tensor  # (m,), False for rays that leave through the side; their depth is a stand-in
 
 
 class ExactIntersection:
     """Finds roots for one set of rays again and again, while the lens changes a little.
 
-    Parameters
-    ----------
-    bundle : Bundle
-        The rays.
-    half_width : tuple[float, float]
-        Half-widths of the aperture.
-    patches : Patches
-        Evaluates the face; heights in its tables are counted from where the rays cross z = 0.
-    last : Tensor, shape (m,), optional
-        Depths at which to begin: those of almost the same rays on almost the same face.
+    `half_width`: half-widths of the aperture; `patches`: evaluates the face; heights in its tables
+    are counted from where the rays cross z = 0; `last` (m,): depths at which to begin: those of
+    almost the same rays on almost the same face.
     """
 
     def __init__(
@@ -99,12 +85,7 @@ class ExactIntersection:
     def meet(self, heights: Tensor, table: Tensor) -> Met:
         """Roots for a lens.
 
-        Parameters
-        ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights above z = 0.
-        table : Tensor
-            Their table of patches.
+        `heights` (n_u, n_v): control heights above z = 0; `table`: their table of patches.
         """
         with torch.no_grad():
             depth, found = self._search(heights.detach(), table.detach())

@@ -12,18 +12,10 @@ from workbench.scene import Filter
 
 
 class Light(NamedTuple):
-    """The image of a lens, and where its light went.
+    """The image of a lens, and where its light went."""
 
-    Attributes
-    ----------
-    flux : Tensor, shape (n_y, n_x)
-        Flux in each pixel, row 0 at +y; differentiable.
-    account : Account
-        The account of all light, with the scene's own screen.
-    """
-
-    flux: Tensor
-    account: Account
+    flux: Tensor  # (n_y, n_x), flux in each pixel, row 0 at +y; differentiable
+    account: Account  # the account of all light, with the scene's own screen
 
 
 def sum_of_lines(lights: Iterable[tuple[float, Light]]) -> Light:
@@ -42,23 +34,15 @@ def sum_of_lines(lights: Iterable[tuple[float, Light]]) -> Light:
 
 
 class Nodes(NamedTuple):
-    """Where the corners of cells of light land, before they become an image.
+    """Where the corners of cells of light land, before they become an image."""
 
-    Attributes
-    ----------
-    hits : Tensor, shape (3, n, m)
-        What `workbench.optics.beams.beam_image` takes, with columns and rows of the scene's screen;
-        differentiable.
-    account : Account
-        The account of all light; what lands is light on the screen there, even if it lands beside
-        it.
-    room : Tensor, shape (n, m), optional
-        How far within the rim of the last face rays meet it, see `workbench.optics.rim`; where it
-        may cut cells.
-    """
-
+    # (3, n, m), what `workbench.optics.beams.beam_image` takes, with columns and rows of the
+    # scene's screen; differentiable.
     hits: Tensor
+    # The account of all light; what lands is light on the screen there, even if it lands beside it.
     account: Account
+    # (n, m), how far within the rim of the last face rays meet it, see `workbench.optics.rim`;
+    # where it may cut cells.
     room: Tensor | None = None
 
 

@@ -29,40 +29,20 @@ _GRAZING = 1e-12
 
 
 class _Light(NamedTuple):
-    """Light at samples before the face does anything to it.
+    """Light at samples before the face does anything to it."""
 
-    Attributes
-    ----------
-    slopes : tuple of two Tensor
-        dx/dz and dy/dz.
-    density : Tensor
-        Flux per area across the axis.
-    narrowed : Tensor
-        How wide light is in the aperture that is of width 1 at samples.
-    """
-
-    slopes: tuple[Tensor, Tensor]
-    density: Tensor
-    narrowed: Tensor
+    slopes: tuple[Tensor, Tensor]  # dx/dz and dy/dz
+    density: Tensor  # flux per area across the axis
+    narrowed: Tensor  # how wide light is in the aperture that is of width 1 at samples
 
 
 class LitFace:
     """Samples of a face with all that does not depend on its heights.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Where its control heights sit.
-    level : float
-        z of the scene that heights are counted from.
-    lines : tuple of two Places
-        Samples along x and y.
-    origins : Origins
-        Where the light comes from.
-    path : Path
-        The path of the light.
-    patterns : Patterns, optional
-        See `workbench.optics.patterns.tabulated`, by the places in the plane of ``level``.
+    `net`: where its control heights sit; `level`: z of the scene that heights are counted from;
+    `lines`: samples along x and y; `origins`: where the light comes from; `path`: the path of the
+    light; `patterns`: see `workbench.optics.patterns.tabulated`, by the places in the plane of
+    ``level``.
     """
 
     def __init__(
@@ -118,17 +98,7 @@ class LitFace:
     def _through_aperture(
         self, behind: Tensor, light: "_Light", face_slopes: tuple[Tensor, Tensor]
     ) -> Tensor:
-        """Part of the light of each sample that comes through the aperture before the face.
-
-        Parameters
-        ----------
-        behind : Tensor
-            How far samples are behind the aperture.
-        light : _Light
-            At the samples.
-        face_slopes : tuple of two Tensor
-            Of the face.
-        """
+        """Part of the light of each sample that comes through the aperture before the face."""
         sides = (self._x, *self._ends_x), (self._y, *self._ends_y)
         x, y = (at - behind * s for (at, *_), s in zip(sides, light.slopes, strict=True))
         if not self._whole:

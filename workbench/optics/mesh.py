@@ -58,14 +58,8 @@ _GRAZING = 1e-3
 class TriangleMesh:
     """The mesh of one control net: all that is known of it but the heights.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    subdivisions : tuple[int, int]
-        Rectangles in each knot span, along x and y.
-    dtype, device
-        Float type and device of the mesh.
+    `net`: the control net; `subdivisions`: rectangles in each knot span, along x and y; `dtype`,
+    `device`: float type and device of the mesh.
     """
 
     def __init__(
@@ -161,12 +155,7 @@ class _Hits(NamedTuple):
 class MeshIntersection:
     """Finds where one set of rays meets the meshes of lens after lens.
 
-    Parameters
-    ----------
-    bundle : Bundle
-        The rays.
-    mesh : TriangleMesh
-        The mesh, of the bundle's float type and device.
+    `mesh`: the mesh, of the bundle's float type and device.
     """
 
     def __init__(self, bundle: Bundle, mesh: TriangleMesh) -> None:
@@ -180,12 +169,8 @@ class MeshIntersection:
     def meet(self, heights: Tensor, table: Tensor) -> Met:
         """Hits on the mesh of a lens.
 
-        Parameters
-        ----------
-        heights : Tensor, shape (n_u, n_v)
-            Control heights above the entrance face.
-        table : Tensor
-            Their table of patches, which a mesh does not need.
+        `heights` (n_u, n_v): control heights above the entrance face; `table`: their table of
+        patches, which a mesh does not need.
         """
         vertices = self._mesh.vertices(heights)
         with torch.no_grad():

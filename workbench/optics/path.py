@@ -30,21 +30,11 @@ _ROUNDING = 1e-12
 
 
 class Passage(NamedTuple):
-    """Rays at one face.
-
-    Attributes
-    ----------
-    step : FaceStep
-        The face.
-    meeting : Meeting
-        Where they meet it, in its frame.
-    passed : Passed
-        What goes on.
-    """
+    """Rays at one face."""
 
     step: FaceStep
-    meeting: Meeting
-    passed: Passed
+    meeting: Meeting  # where they meet it, in its frame
+    passed: Passed  # what goes on
 
 
 class Path:
@@ -55,39 +45,17 @@ class Path:
     frame. Rays before the first freeform face are in the frame of that face: what samples that face
     has its coordinates.
 
-    Parameters
-    ----------
-    emitter : Emitter
-        The source.
-    steps : sequence of FaceStep
-        Faces in the order in which light meets them, each along +z of its frame.
-    receiver : Receiver
-        Where the light is wanted.
-    datum : float
-        From which the elements count z: near the face, so that float32 keeps the digits that make
-        its shape.
-    outline : Outline
-        Of the optic; and of the aperture before it, which all of its light passes.
-    seed : int
-        Of the source's rays.
-    dtype, device
-        Float type and device of the walk.
-    front_z : float, optional
-        z of the source where that aperture is; the datum by default.
-    source : Frame, optional
-        Where coordinates of the source stand in the scene; they are those of the scene by default.
-    turn : ndarray, shape (3, 3), optional
-        Unit vectors of the receiver's coordinates, as columns; those of the scene by default.
-
-    Attributes
-    ----------
-    fixed, shaped : tuple of FaceStep
-        The steps before the first freeform face, and it with all behind.
-    changes_before, changes : list of Frame
-        Changes of coordinates before each of the fixed steps and to the first freeform face; before
-        each of the others and behind the last one, see `changes_of`.
-    draw : int
-        Number of the set of the source's rays.
+    `steps`: faces in the order in which light meets them, each along +z of its frame; `receiver`:
+    where the light is wanted; `datum`: from which the elements count z: near the face, so that
+    float32 keeps the digits that make its shape; `outline`: of the optic; and of the aperture
+    before it, which all of its light passes; `seed`: of the source's rays; `dtype`, `device`: float
+    type and device of the walk; `front_z`: z of the source where that aperture is; the datum by
+    default; `source`: where coordinates of the source stand in the scene; they are those of the
+    scene by default; `turn` (3, 3): unit vectors of the receiver's coordinates, as columns; those
+    of the scene by default. `fixed`, `shaped`: the steps before the first freeform face, and it
+    with all behind; `changes_before`, `changes`: changes of coordinates before each of the fixed
+    steps and to the first freeform face; before each of the others and behind the last one, see
+    `changes_of`; `draw`: number of the set of the source's rays.
     """
 
     def __init__(
@@ -184,10 +152,7 @@ class Path:
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the source's rays to the receiver.
 
-        Parameters
-        ----------
-        heights : mapping of str to Tensor
-            Control heights (n_u, n_v) of each freeform surface by name, scene units.
+        `heights`: control heights (n_u, n_v) of each freeform surface by name, scene units.
         """
         rays, lost, _ = _through(self.shaped, self.changes, self.rays, heights)
         return Arrival(*self.receiver.places(rays), rays, _added(self.lost, lost))
@@ -206,18 +171,10 @@ class Path:
     ) -> tuple[list[Vector], Arrival]:
         """Follow other rays all the way, and tell where they meet each face.
 
-        Parameters
-        ----------
-        rays : RayBundle
-            Rays before the first face in the path's float type, as the source gives them.
-        heights : mapping of str to Tensor
-            See `walk`.
-
-        Returns
-        -------
-        tuple of list of Vector, and Arrival
-            Places of the scene where they begin and on each face; of rays that do not meet it, and
-            at all faces behind it, where they end. Then the arrival at the receiver.
+        `rays`: rays before the first face in the path's float type, as the source gives them;
+        `heights`: see `walk`. Returns places of the scene where they begin and on each face; of
+        rays that do not meet it, and at all faces behind it, where they end. Then the arrival at
+        the receiver.
         """
         passages, arrival = self.passages_of(rays, heights)
         places, alive = [place_seen(rays.position, self._source)], rays.alive

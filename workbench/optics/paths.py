@@ -15,35 +15,19 @@ from workbench.scene import Element, Scene
 
 
 class RayPaths(NamedTuple):
-    """Paths of n rays.
+    """Paths of n rays."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (n, k, 3)
-        Start, places on each face, screen plane; scene units. A ray that does not get to the screen
-        plane ends on the last face or the side: its last two points are the same.
-    weight : ndarray, shape (n,)
-        Part of the ray's light that arrives, 0 under total reflection.
-    on_screen : ndarray of bool, shape (n,)
-        Whether it hits the screen.
-    """
-
+    # (n, k, 3), start, places on each face, screen plane; scene units. A ray that does not get to
+    # the screen plane ends on the last face or the side: its last two points are the same.
     points: Array
-    weight: Array
-    on_screen: Mask
+    weight: Array  # (n,), part of the ray's light that arrives, 0 under total reflection
+    on_screen: Mask  # (n,), whether it hits the screen
 
 
 def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]) -> RayPaths:
     """Follow a grid of rays from before the lens to the screen.
 
-    Parameters
-    ----------
-    scene : Scene
-        The scene.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    count : tuple[int, int]
-        Numbers of rays along x and y, spread over the lens.
+    `heights` (n_u, n_v); `count`: numbers of rays along x and y, spread over the lens.
     """
     x, y = (torch.as_tensor(c) for c in _grid(scene.first, count))
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)

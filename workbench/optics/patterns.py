@@ -27,17 +27,12 @@ _BEYOND = 1e-7
 
 
 class Patterns(NamedTuple):
-    """Tables of intensities on a rectangle; linear between values, and constant beyond it.
+    """Tables of intensities on a rectangle; linear between values, and constant beyond it."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (origins, n, n)
-        From the least to the largest x, and from the least to the largest y in the last axis.
-    middle, half_width : tuple[float, float]
-        Of the rectangle, scene units.
-    """
-
+    # (origins, n, n), from the least to the largest x, and from the least to the largest y in the
+    # last axis.
     values: Array
+    # Of the rectangle, scene units.
     middle: tuple[float, float]
     half_width: tuple[float, float]
 
@@ -82,22 +77,10 @@ def tabulated(
 ) -> Patterns | None:
     """Intensities of each origin towards places of a rectangle across the axis, over its flux.
 
-    Parameters
-    ----------
-    origins : Origins
-        Points before the rectangle.
-    half_width : tuple[float, float]
-        Of the rectangle, scene units.
-    z : float
-        Where it is.
-    samples : tuple of two Places, optional
-        Where light of samples crosses the rectangle along x and y, scene units. None of even
-        samples, of which many are within all that the light has: values are those at places then.
-
-    Returns
-    -------
-    Patterns, optional
-        None where no pattern was given.
+    `origins`: points before the rectangle; `half_width`: of the rectangle, scene units; `z`: where
+    it is; `samples`: where light of samples crosses the rectangle along x and y, scene units. None
+    of even samples, of which many are within all that the light has: values are those at places
+    then. Returns None where no pattern was given.
     """
     if origins.pattern is None:
         return None
@@ -187,12 +170,8 @@ def _mean_between(values: Array, at: Array, low: Array, high: Array, axis: int) 
 def interpolated(patterns: PatternTensor, place: tuple[Tensor, Tensor]) -> Tensor:
     """Values of tables at places; bilinear, and constant beyond the rectangle.
 
-    Parameters
-    ----------
-    patterns : PatternTensor
-        What `tabulated` gives.
-    place : tuple of two Tensor, shape (samples along x, origins, samples along y)
-        x and y of the places.
+    `patterns`: what `tabulated` gives; `place` (samples along x, origins, samples along y): x and y
+    of the places.
     """
     values, last = patterns.values, patterns.values.shape[1] - 1
     origin = torch.arange(len(values), device=values.device).reshape(1, -1, 1)

@@ -24,29 +24,14 @@ class Plan:
 
     Each line of the light is traced by itself, and the image is their sum; see `Scene.lines`.
 
-    Parameters
-    ----------
-    scene : Scene
-        What is traced.
-    net : ControlNet, optional
-        Control net of the heights to come; the scene's own by default.
-    filter : BoxFilter or GaussianFilter, optional
-        Reconstruction filter; the scene's own by default.
-    dtype : torch.dtype, optional
-        Float type of the trace; by default the one that the scene needs, see `precision_of`.
-    fused : bool
-        False asks for the reference.
-    samples : tuple[int, int] or Corners, optional
-        Rays of collimated light along x and y; or corners of cells of any light, of which the first
-        freeform face is sampled. By default the rays of the source.
-    mirrored : tuple[bool, bool]
-        The caller's promise that heights, lens and source are mirror images of themselves in x,
-        in y. The kernel for collimated light then traces one half of the rays only.
-
-    Raises
-    ------
-    Refused
-        If the scene asks for a device that is not there.
+    `scene`: what is traced; `net`: control net of the heights to come; the scene's own by default;
+    `filter`: reconstruction filter; the scene's own by default; `dtype`: float type of the trace;
+    by default the one that the scene needs, see `precision_of`; `fused`: False asks for the
+    reference; `samples`: rays of collimated light along x and y; or corners of cells of any light,
+    of which the first freeform face is sampled. By default the rays of the source; `mirrored`: the
+    caller's promise that heights, lens and source are mirror images of themselves in x, in y. The
+    kernel for collimated light then traces one half of the rays only. Raises `Refused` if the scene
+    asks for a device that is not there.
     """
 
     def __init__(
@@ -75,10 +60,7 @@ class Plan:
     def trace(self, heights: Mapping[str, Tensor]) -> Light:
         """Image and light account of a lens.
 
-        Parameters
-        ----------
-        heights : mapping of str to Tensor, shape (n_u, n_v)
-            Control heights of each freeform face by its name, scene units.
+        `heights` (n_u, n_v).
         """
         return sum_of_lines(
             (line.part, line.tracer.image(heights, self._filter)) for line in self._lines
@@ -127,10 +109,7 @@ def notes_of_lines(count: int) -> list[str]:
 def device_of(scene: Scene) -> torch.device:
     """The device on which a scene wants to be traced.
 
-    Raises
-    ------
-    Refused
-        If it is not there.
+    Raises `Refused` if it is not there.
     """
     if scene.run.device == "cuda" and not torch.cuda.is_available():
         raise Refused(
@@ -143,12 +122,8 @@ def device_of(scene: Scene) -> torch.device:
 def tensors_of(heights: Mapping[str, Array], scene: Scene) -> dict[str, Tensor]:
     """Control heights of each freeform face, copied to where a scene wants to be traced.
 
-    Parameters
-    ----------
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        By the names of the faces, scene units.
-    scene : Scene
-        Of the trace; see `device_of`.
+    `heights` (n_u, n_v): by the names of the faces, scene units; `scene`: of the trace; see
+    `device_of`.
     """
     device = device_of(scene)
     return {face: torch.tensor(each, device=device) for face, each in heights.items()}

@@ -40,12 +40,7 @@ _RISE = 0.3
 def precision_of(scene: Scene, net: ControlNet | None = None) -> torch.dtype:
     """The float type in which a scene is traced: float32 unless that moves light too far.
 
-    Parameters
-    ----------
-    scene : Scene
-        What is traced.
-    net : ControlNet, optional
-        Control net of the heights to come; the scene's own by default.
+    `scene`: what is traced; `net`: control net of the heights to come; the scene's own by default.
     """
     scene = scene.alone
     fine = shift_of(scene, net) > _TOLERABLE or nearly_touches(scene)

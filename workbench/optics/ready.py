@@ -50,12 +50,7 @@ _next = threading.Lock()  # held by whoever waits for `_compiling`: so they get 
 def obtain(name: str, dtype: torch.dtype) -> bool:
     """Whether a kernel can be called; compiles it, or waits for it, if this thread may.
 
-    Parameters
-    ----------
-    name : str
-        "train", "beams" or "boxes".
-    dtype : torch.dtype
-        Float type of the trace.
+    `name`: "train", "beams" or "boxes"; `dtype`: float type of the trace.
     """
     use, kernel = _use.get(), (name, dtype)
     if use is _Use.NONE:
@@ -80,17 +75,9 @@ def compile_all(
 ) -> None:
     """Compile all kernels for a float type, one after the other.
 
-    Parameters
-    ----------
-    goes_on : callable
-        Asked before each kernel; the rest is left out once it says no.
-    dtype : torch.dtype
-        Float type of the traces; designs use float32 unless a scene needs more.
-
-    Raises
-    ------
-    Exception
-        Why the first of those that cannot be compiled cannot; the others are compiled before.
+    `goes_on`: asked before each kernel; the rest is left out once it says no; `dtype`: float type
+    of the traces; designs use float32 unless a scene needs more. Raises `Exception` why the first
+    of those that cannot be compiled cannot; the others are compiled before.
     """
     for kernel in _kernels(dtype):
         if not goes_on():

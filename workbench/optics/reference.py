@@ -22,17 +22,8 @@ from workbench.scene import Filter
 class Reference:
     """A `workbench.optics.light.Tracer` that walks along a path.
 
-    Parameters
-    ----------
-    path : Path
-        The path; where samples of its exit face are wanted, light starts there.
-
-    Attributes
-    ----------
-    notes : list of str
-        What is special about it, in words.
-    mirrored : tuple[bool, bool]
-        It traces all rays, mirror images or not.
+    `path`: the path; where samples of its exit face are wanted, light starts there. `notes`: what
+    is special about it, in words; `mirrored`: it traces all rays, mirror images or not.
     """
 
     def __init__(self, path: Path) -> None:

@@ -9,35 +9,22 @@ Vector = tuple[Tensor, Tensor, Tensor]
 
 
 class Refracted(NamedTuple):
-    """What happens to rays at a face.
+    """What happens to rays at a face."""
 
-    Attributes
-    ----------
-    direction : tuple of three tensors
-        Unit directions of the refracted rays; of totally reflected ones a finite stand-in.
-    cos_in, cos_out : Tensor
-        Cosines of the angles of incidence and refraction; cos_out is 1 under total reflection.
-    passes : Tensor of bool
-        False where the ray is totally reflected.
-    """
-
+    # Unit directions of the refracted rays; of totally reflected ones a finite stand-in.
     direction: Vector
+    # Cosines of the angles of incidence and refraction; cos_out is 1 under total reflection.
     cos_in: Tensor
     cos_out: Tensor
-    passes: Tensor
+    passes: Tensor  # False where the ray is totally reflected
 
 
 def refract(direction: Vector, normal: Vector, ratio: float) -> Refracted:
     """Vector form of Snell's law.
 
-    Parameters
-    ----------
-    direction : tuple of three tensors
-        Unit directions of the incoming rays.
-    normal : tuple of three tensors
-        Unit normals that point the way the light goes (positive product with ``direction``).
-    ratio : float
-        Refractive index before the face over that behind it.
+    `direction`: unit directions of the incoming rays; `normal`: unit normals that point the way the
+    light goes (positive product with ``direction``); `ratio`: refractive index before the face over
+    that behind it.
 
     Notes
     -----

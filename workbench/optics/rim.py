@@ -29,45 +29,25 @@ _UNIT = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 
 
 class RimLight(NamedTuple):
-    """Light of cut cells.
+    """Light of cut cells."""
 
-    Attributes
-    ----------
-    flux : Tensor, shape (n_y, n_x)
-        In each pixel, row 0 at the top, differentiable.
-    landed : float
-        All that comes to the plane of the image.
-    counted : float
-        What belongs to these cells of the flux of rays within the rim, and is not drawn yet.
-    """
-
-    flux: Tensor
-    landed: float
+    flux: Tensor  # (n_y, n_x), in each pixel, row 0 at the top, differentiable
+    landed: float  # all that comes to the plane of the image
+    # What belongs to these cells of the flux of rays within the rim, and is not drawn yet.
     counted: float
 
 
 class _Cells(NamedTuple):
-    """Cells between rays that leave beside the rim and rays that are refracted.
+    """Cells between rays that leave beside the rim and rays that are refracted."""
 
-    Attributes
-    ----------
-    values : Tensor, shape (3, cells, 2, 2)
-        Columns, rows and room of the corners; first along the first axis of the nodes.
-    whole : Tensor, shape (cells,)
-        Flux of whole cells; 0 where too few corners are known to carry on from.
-    within : Tensor of bool, shape (cells, 2, 2)
-        Corners with rays within the rim.
-    flux : Tensor, shape (cells,)
-        What belongs to cells of the flux of these.
-    even : Tensor of bool, shape (cells,)
-        Which triangles they are made of.
-    """
-
+    # (3, cells, 2, 2), columns, rows and room of the corners; first along the first axis of the
+    # nodes.
     values: Tensor
+    # (cells,), flux of whole cells; 0 where too few corners are known to carry on from.
     whole: Tensor
-    within: Tensor
-    flux: Tensor
-    even: Tensor
+    within: Tensor  # (cells, 2, 2), corners with rays within the rim
+    flux: Tensor  # (cells,), what belongs to cells of the flux of these
+    even: Tensor  # (cells,), which triangles they are made of
 
 
 def rim_light(
@@ -80,15 +60,8 @@ def rim_light(
 ) -> RimLight:
     """Light of the cells that an image of beams or of boxes leaves out for their room.
 
-    Parameters
-    ----------
-    nodes, pixels, splits, fused
-        As for `workbench.optics.beams.beam_image`.
-    room : Tensor, shape (n, m)
-        Of the nodes.
-    triangles : bool
-        Whether triangles between three rays within the rim are in the image already, as with beams;
-        of boxes all four rays are.
+    `room` (n, m): of the nodes; `triangles`: whether triangles between three rays within the rim
+    are in the image already, as with beams; of boxes all four rays are.
     """
     cells = _cells(nodes, room, splits)
     turns = torch.where(
@@ -166,12 +139,7 @@ def _beside_the_rim(beside: Tensor) -> tuple[Tensor, Tensor]:
 def _carried_on(known: Tensor, within: Tensor) -> tuple[Tensor, Tensor]:
     """Values at the four middle nodes of 4 × 4, straight on from those within; and where all are.
 
-    Parameters
-    ----------
-    known : Tensor, shape (3, cells, 4, 4)
-        Values where they are known.
-    within : Tensor of bool, shape (cells, 4, 4)
-        Where.
+    `known` (3, cells, 4, 4): values where they are known; `within` (cells, 4, 4): where.
     """
     here, near, far = slice(1, 3), [2, 1], [3, 0]
     inner = within[:, here, here]
@@ -193,16 +161,7 @@ def _carried_on(known: Tensor, within: Tensor) -> tuple[Tensor, Tensor]:
 def _cut(corners: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
     """What is left of triangles where the room is not negative.
 
-    Parameters
-    ----------
-    corners : Tensor, shape (3, triangles, 3)
-        Columns, rows and room.
-
-    Returns
-    -------
-    tuple of Tensor, and Tensor
-        Columns and rows of six corners of what is left, some of which are the same, each of shape
-        (triangles, 6); and which part of each triangle that is.
+    `corners` (3, triangles, 3): columns, rows and room.
     """
     room = corners[2]
     unit = corners.new_tensor(_UNIT)[:, None, :].expand(-1, room.shape[0], -1)

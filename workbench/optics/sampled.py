@@ -35,48 +35,25 @@ from workbench.said import Said
 
 
 class SampledTrain(NamedTuple):
-    """A train whose first freeform face, or whose aperture, is sampled.
+    """A train whose first freeform face, or whose aperture, is sampled."""
 
-    Attributes
-    ----------
-    origins : Origins
-        Where the light comes from, in coordinates of the source.
-    samples : tuple[int, int] or Corners
-        Middles of so many cells along x and y, or corners of cells.
-    glass : Glass, optional
-        A plane entrance face before the freeform one.
-    before : tuple of FaceStep
-        Other fixed faces before the first freeform one.
-    first : FaceStep, optional
-        The freeform face that is sampled; None where the aperture is, which its light passes before
-        other fixed faces, or before a face that is tilted.
-    rest : tuple of FaceStep
-        Those that rays search for, from the first freeform face or from behind it on.
-    surface : BSplineSurface
-        That of the first freeform face.
-    changes_before, changes : list of Frame
-        Changes of coordinates before each of the fixed faces and behind the last; the same of
-        those that rays search for.
-    outline : Outline
-        Of the aperture; of a sampled face, too.
-    front_z : float
-        z of the source where that is.
-    datum : float
-        z of the source from which the path counts z.
-    """
-
-    origins: Origins
-    samples: Samples
-    glass: Glass | None
-    before: tuple[FaceStep, ...]
+    origins: Origins  # where the light comes from, in coordinates of the source
+    samples: Samples  # middles of so many cells along x and y, or corners of cells
+    glass: Glass | None  # A plane entrance face before the freeform one
+    before: tuple[FaceStep, ...]  # other fixed faces before the first freeform one
+    # The freeform face that is sampled; None where the aperture is, which its light passes before
+    # other fixed faces, or before a face that is tilted.
     first: FaceStep | None
+    # Those that rays search for, from the first freeform face or from behind it on.
     rest: tuple[FaceStep, ...]
-    surface: BSplineSurface
+    surface: BSplineSurface  # that of the first freeform face
+    # Changes of coordinates before each of the fixed faces and behind the last; the same of those
+    # that rays search for.
     changes_before: list[Frame]
     changes: list[Frame]
-    outline: Outline
-    front_z: float
-    datum: float
+    outline: Outline  # of the aperture; of a sampled face, too
+    front_z: float  # z of the source where that is
+    datum: float  # z of the source from which the path counts z
 
     @classmethod
     def of(cls, path: Path) -> "SampledTrain | None":
@@ -146,10 +123,7 @@ class SampledTrain(NamedTuple):
     def followed(self, copies: int = 1) -> Followed:
         """The light of samples of the aperture, behind the fixed faces ``before``.
 
-        Parameters
-        ----------
-        copies : int
-            How many mirror images of the origins make all light.
+        `copies`: how many mirror images of the origins make all light.
         """
         rays = through_aperture(self.origins, self.lines, self.outline, self.front_z)
         x, y, z = rays.position
@@ -204,12 +178,7 @@ def _alike(origins: Origins) -> bool:
 class SampledWalk:
     """The walk from samples of the first freeform face, in torch: the reference.
 
-    Parameters
-    ----------
-    train : SampledTrain
-        What is sampled.
-    path : Path
-        The path of the light.
+    `train`: what is sampled; `path`: the path of the light.
     """
 
     def __init__(self, train: SampledTrain, path: Path) -> None:

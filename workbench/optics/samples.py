@@ -18,21 +18,12 @@ _NEAR = 0.25
 
 
 class Crowd(NamedTuple):
-    """Where corners of cells lie along an axis: evenly in a part of it, and fewer beyond.
+    """Where corners of cells lie along an axis: evenly in a part of it, and fewer beyond."""
 
-    Attributes
-    ----------
-    middle : float
-        Of that part, half-widths from the middle of the aperture.
-    half : float
-        Its half, half-widths; 1 where corners are even all the way.
-    fading : bool
-        Whether they become fewer as the light of a point does, in proportion to the distance; else
-        there are hardly any beyond.
-    """
-
-    middle: float = 0.0
-    half: float = 1.0
+    middle: float = 0.0  # of that part, half-widths from the middle of the aperture
+    half: float = 1.0  # its half, half-widths; 1 where corners are even all the way
+    # Whether they become fewer as the light of a point does, in proportion to the distance; else
+    # there are hardly any beyond.
     fading: bool = False
 
     @classmethod
@@ -64,27 +55,19 @@ EVERYWHERE = Crowd()
 
 
 class Corners(NamedTuple):
-    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`.
+    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`."""
 
-    Attributes
-    ----------
-    x, y : int
-        Cells.
-    origins : int
-        From how many origins light comes through them, where the source leaves that open.
-    source_x, source_y : int
-        Cells along x and y of a source of some size, at whose corners these origins lie; all see
-        the same corners of the aperture. 0 where origins lie elsewhere. See
-        `workbench.optics.source_beams`.
-    crowd_x, crowd_y : Crowd
-        Where the corners lie along x and y.
-    """
-
+    # Cells.
     x: int
     y: int
+    # From how many origins light comes through them, where the source leaves that open.
     origins: int = 1
+    # Cells along x and y of a source of some size, at whose corners these origins lie; all see the
+    # same corners of the aperture. 0 where origins lie elsewhere. See
+    # `workbench.optics.source_beams`.
     source_x: int = 0
     source_y: int = 0
+    # Where the corners lie along x and y.
     crowd_x: Crowd = EVERYWHERE
     crowd_y: Crowd = EVERYWHERE
 
@@ -114,17 +97,10 @@ Samples = tuple[int, int] | Corners
 
 
 class Places(NamedTuple):
-    """Places along one axis, as parts of the way from one side of the aperture to the other.
+    """Places along one axis, as parts of the way from one side of the aperture to the other."""
 
-    Attributes
-    ----------
-    part : ndarray, shape (m,)
-        Where the rays are.
-    low, high : ndarray, shape (m,)
-        Ends of what each ray stands for; together they fill the aperture.
-    """
-
-    part: Array
+    part: Array  # (m,), where the rays are
+    # (m,), ends of what each ray stands for; together they fill the aperture.
     low: Array
     high: Array
 

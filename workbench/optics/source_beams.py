@@ -35,23 +35,14 @@ _TINY = 1e-300
 
 
 class Spots(NamedTuple):
-    """What samples of a lens make of a source, as far as each maps it linearly onto the receiver.
+    """What samples of a lens make of a source, as far as each maps it linearly onto the receiver."""
 
-    Attributes
-    ----------
-    places : ndarray, shape (2, k)
-        Columns and rows where light of the middle of the source lands.
-    spread : ndarray, shape (2, 2, k)
-        Squares of the half-widths along columns and along rows, pixels squared, and the product of
-        column and row that makes spots lean: J J^T of the map J from the source, whose half-widths
-        count as 1.
-    flux : ndarray, shape (k,)
-        Of the middle, in any unit.
-    """
-
-    places: Array
+    places: Array  # (2, k), columns and rows where light of the middle of the source lands
+    # (2, 2, k), squares of the half-widths along columns and along rows, pixels squared, and the
+    # product of column and row that makes spots lean: J J^T of the map J from the source, whose
+    # half-widths count as 1.
     spread: Array
-    flux: Array
+    flux: Array  # (k,), of the middle, in any unit
 
 
 def between_origins(
@@ -59,20 +50,10 @@ def between_origins(
 ) -> tuple[Nodes, Splits]:
     """The nodes of all origins as grids of a few origins, one for each sample.
 
-    Parameters
-    ----------
-    nodes : Nodes
-        Hits and room have the rows of samples of one origin after the other, origins row by row.
-    cells : tuple[int, int]
-        Cells of the source along x and y.
-    mirrored : tuple[bool, bool]
-        Whether nodes are those of one half of the source in x, in y, its middle included.
-
-    Returns
-    -------
-    tuple of Nodes and Splits
-        Rows of the origins of one sample after the other; and what
-        `workbench.optics.beams.beam_image` takes for them.
+    `nodes`: hits and room have the rows of samples of one origin after the other, origins row by
+    row; `cells`: cells of the source along x and y; `mirrored`: whether nodes are those of one half
+    of the source in x, in y, its middle included. Returns rows of the origins of one sample after
+    the other; and what `workbench.optics.beams.beam_image` takes for them.
     """
     c_x, c_y = _cells(cells, mirrored)
     across, up = (places(Corners(c_x, c_y), axis).split for axis in (0, 1))
@@ -85,13 +66,7 @@ def between_origins(
 
 
 def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool]) -> float:
-    """Which part of the light passes samples that are far apart for what they make of the source.
-
-    Parameters
-    ----------
-    nodes, cells, mirrored
-        As for `between_origins`; an even number of cells.
-    """
+    """Which part of the light passes samples that are far apart for what they make of the source."""
     grids = _grids(nodes.hits, _cells(cells, mirrored))
     flux = grids[2].sum((-2, -1), dtype=torch.float64)
     middle = [0 if half else count // 2 for count, half in zip(cells, mirrored, strict=True)]
@@ -117,14 +92,7 @@ def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool
 
 
 def spots_of(nodes: Nodes) -> Spots:
-    """What samples make of a source of which there are the middle and eight places of its rim.
-
-    Parameters
-    ----------
-    nodes : Nodes
-        As for `between_origins`, with 2 x 2 cells of the source, none of them mirrored; samples
-        from where not all light lands are left out.
-    """
+    """What samples make of a source of which there are the middle and eight places of its rim."""
     grids = _grids(nodes.hits, (2, 2)).double().cpu()
     hits, flux = grids[:2].flatten(1, 2), grids[2, ..., 1, 1].flatten()
     ways = torch.stack([hits[..., 1, 2] - hits[..., 1, 0], hits[..., 2, 1] - hits[..., 0, 1]]) / 2

@@ -21,21 +21,10 @@ def split_light(
 ) -> tuple[Tensor, float]:
     """Light of split cells, corner by corner.
 
-    Parameters
-    ----------
-    nodes, pixels, splits
-        As for `workbench.optics.beams.beam_image`.
-    room : Tensor, shape (n, m), optional
-        See `workbench.optics.rim`; cells that it cuts are drawn there.
-    triangles : bool
-        Whether triangles between three corners that land are in the image already, as with beams;
-        of boxes all four corners are.
-
-    Returns
-    -------
-    tuple of Tensor, shape (n_y, n_x), and float
-        Flux in each pixel, row 0 at the top, without gradients; and all of it, on the image or
-        beside it.
+    `room` (n, m): see `workbench.optics.rim`; cells that it cuts are drawn there; `triangles`:
+    whether triangles between three corners that land are in the image already, as with beams; of
+    boxes all four corners are. Returns (n_y, n_x): flux in each pixel, row 0 at the top, without
+    gradients; and all of it, on the image or beside it.
     """
     with torch.no_grad():
         lands, (i, j) = _cells(nodes, room)

@@ -30,24 +30,13 @@ from workbench.scene import (
 
 
 class FaceStep(NamedTuple):
-    """A face on the way of the light.
+    """A face on the way of the light."""
 
-    Attributes
-    ----------
-    surface : Surface
-        Where rays meet it.
-    interface : Interface
-        What it does to them.
-    missed : str
-        Name in the light account of light that does not meet it.
-    frame : Frame, optional
-        Where the coordinates of the surface stand in the scene: light comes to the face along +z of
-        them. None for those of the source with z counted from the datum of the path.
-    """
-
-    surface: Surface
-    interface: Interface
-    missed: str
+    surface: Surface  # where rays meet it
+    interface: Interface  # what it does to them
+    missed: str  # name in the light account of light that does not meet it
+    # Where the coordinates of the surface stand in the scene: light comes to the face along +z of
+    # them. None for those of the source with z counted from the datum of the path.
     frame: Frame | None = None
 
     def from_behind(self) -> "FaceStep":
@@ -76,29 +65,15 @@ def changes_of(frames: Sequence[Frame | None], source: Frame) -> list[Frame]:
 
 
 class PathContext(NamedTuple):
-    """What is known of the light and of the trace before there are faces.
+    """What is known of the light and of the trace before there are faces."""
 
-    Attributes
-    ----------
-    nets : mapping of str to ControlNet
-        Where control heights of each freeform face of an element sit, by its id.
-    datum : float
-        z of the scene from which elements count z.
-    by_area : bool
-        Whether what is outside the outline is out of the flux before the first face.
-    along_axis : bool
-        Whether all rays go along +z.
-    subdivisions : tuple[int, int], optional
-        See `BSplineSurface`.
-    dtype, device
-        Float type and device of the walk.
-    """
-
+    # Where control heights of each freeform face of an element sit, by its id.
     nets: Mapping[str, ControlNet]
-    datum: float
-    by_area: bool
-    along_axis: bool
-    subdivisions: tuple[int, int] | None
+    datum: float  # z of the scene from which elements count z
+    by_area: bool  # whether what is outside the outline is out of the flux before the first face
+    along_axis: bool  # whether all rays go along +z
+    subdivisions: tuple[int, int] | None  # see `BSplineSurface`
+    # Float type and device of the walk.
     dtype: torch.dtype
     device: torch.device | str
 

@@ -19,18 +19,10 @@ _CELLS = 16  # along each axis, of which the brightest is named
 
 @dataclass(frozen=True, eq=False)
 class TotalReflection:
-    """Light that cannot leave through a face.
+    """Light that cannot leave through a face."""
 
-    Attributes
-    ----------
-    places : ndarray, shape (n, 3)
-        Where each of its rays meets the face, scene units.
-    flux : ndarray, shape (n,)
-        What each of them carries, as a part of the light of the source.
-    """
-
-    places: Array
-    flux: Array
+    places: Array  # (n, 3), where each of its rays meets the face, scene units
+    flux: Array  # (n,), what each of them carries, as a part of the light of the source
 
     @property
     def share(self) -> float:
@@ -69,12 +61,7 @@ class TotalReflection:
 def total_reflection(scene: Scene, heights: Mapping[str, Array]) -> TotalReflection | None:
     """Where light of an optic is totally reflected; None if none is.
 
-    Parameters
-    ----------
-    scene : Scene
-        The scene, whose source gives the rays.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
+    `scene`: the scene, whose source gives the rays; `heights` (n_u, n_v).
     """
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     tensors = {face: torch.tensor(each) for face, each in heights.items()}

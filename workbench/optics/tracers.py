@@ -13,17 +13,8 @@ class Tracers:
 
     So a run that has its kernel never makes the reference.
 
-    Parameters
-    ----------
-    path : Path
-        The path.
-    mirrored
-        See `workbench.optics.plan.Plan`.
-
-    Attributes
-    ----------
-    compiled : str, optional
-        Name of the compiled train in `workbench.optics.ready`, if it matches the path.
+    `mirrored`: see `workbench.optics.plan.Plan`. `compiled`: name of the compiled train in
+    `workbench.optics.ready`, if it matches the path.
     """
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool]) -> None:

@@ -43,14 +43,7 @@ def _leaves(pixel, start, way, last):  # type: ignore[no-untyped-def]
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _crossings(x, y, d_x, d_y, j, i, to_j, to_i):  # type: ignore[no-untyped-def]
-    """Where an edge between neighbouring pixels leaves the first, and where it enters the last.
-
-    Returns
-    -------
-    tuple of two float64, uintp and uintp
-        Parts of its way, then row and column of the pixel in which it is between them. That is the
-        last one already if these two have a side in common.
-    """
+    """Where an edge between neighbouring pixels leaves the first, and where it enters the last."""
     at_x = (max(j, to_j) - x) / d_x if j != to_j else 1.0
     at_y = (max(i, to_i) - y) / d_y if i != to_i else 1.0
     if at_x < at_y:
@@ -84,14 +77,7 @@ def _cross(pixel, last, leaves, each, crosses):  # type: ignore[no-untyped-def]
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _enter(x, y, d_x, d_y, n_x, n_y):  # type: ignore[no-untyped-def]
-    """Where an edge enters the rows of the image, and where it leaves them or ends.
-
-    Returns
-    -------
-    tuple
-        Parts of its way for both; column and row of the first pixel, and the parts of the way at
-        which it leaves these.
-    """
+    """Where an edge enters the rows of the image, and where it leaves them or ends."""
     t, end = _clip(y, d_y, n_y)
     column = _pixel(x + d_x * t, d_x, n_x)
     i = min(max(_pixel(y + d_y * t, d_y, n_y), 0), n_y - 1)
@@ -201,11 +187,8 @@ def _see_long(x, y, d_x, d_y, first_j, first_k, to_j, to_k, cotangent, right):  
 def see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def]
     """Integrals of a cotangent of the image along an edge.
 
-    Returns
-    -------
-    tuple of three float64
-        Of what lies to the right of the edge, by y; of what lies on it, by the part of the way
-        that is left to the end, and from the start.
+    Returns of what lies to the right of the edge, by y; of what lies on it, by the part of the way
+    that is left to the end, and from the start.
     """
     n_y, n_x = cotangent.shape
     d_x, d_y = to_x - x, to_y - y

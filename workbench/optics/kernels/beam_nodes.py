@@ -36,17 +36,10 @@ def _second_diff(before, here, after):  # type: ignore[no-untyped-def]
 def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
     """Shift the hits of some rows of nodes.
 
-    Parameters
-    ----------
-    hits : array, shape (n + 1, m + 1)
-        Columns or rows in which rays hit; infinite for those that never do.
-    parts : tuple of two arrays
-        See `workbench.optics.kernels.beam_raster.densities`; what ends a grid stays where it is,
-        and so does what has a neighbour that hits nowhere or far away.
-    begin, end : int
-        Which rows of nodes.
-    shifted : array, shape (n + 1, m + 1)
-        The result; infinite or within ``FARTHEST``.
+    `hits` (n + 1, m + 1): columns or rows in which rays hit; infinite for those that never do;
+    `parts`: see `workbench.optics.kernels.beam_raster.densities`; what ends a grid stays where it
+    is, and so does what has a neighbour that hits nowhere or far away; `begin`, `end`: which rows
+    of nodes; `shifted` (n + 1, m + 1): the result; infinite or within ``FARTHEST``.
     """
     along_u, along_v = parts
     m, kind = np.uintp(hits.shape[1]), hits.dtype.type
@@ -86,14 +79,8 @@ def _unshift(hits, along_u, cotangent, i, counts):  # type: ignore[no-untyped-de
 def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-untyped-def]
     """Adjoint of `shift`, for some rows of nodes.
 
-    Parameters
-    ----------
-    hits, parts, begin, end
-        See `shift`.
-    cotangent : array, shape (n + 1, m + 1)
-        Cotangent of what was shifted.
-    result : array, shape (n + 1, m + 1)
-        That of the hits, in their float type.
+    `hits`, `parts`, `begin`, `end`: see `shift`; `cotangent` (n + 1, m + 1): cotangent of what was
+    shifted; `result` (n + 1, m + 1): that of the hits, in their float type.
     """
     along_u, along_v = parts
     m, first, kind = np.uintp(hits.shape[1]), np.uintp(begin), cotangent.dtype.type

@@ -67,27 +67,14 @@ def _half_flux(flux, parts, i, j):  # type: ignore[no-untyped-def]
 def densities(column, row, flux, parts, begin, end, density, image):  # type: ignore[no-untyped-def]
     """Flux per area of triangles, for cells with numbers from ``begin`` to ``end`` along u.
 
-    Parameters
-    ----------
-    column, row : array, shape (n + 1, m + 1), float64
-        Hits of the nodes; infinite for those without.
-    flux : array, shape (n + 1, m + 1)
-        Flux of the nodes; those at the rim have a half or a quarter of a cell's.
-    parts : tuple of two arrays, shape (n + 1, 3) and (m + 1, 3), float64
-        Parts of a node's flux that go to the cells before and behind it along u, and along v; and
-        1 for nodes between two cells of equal width.
-    begin, end : int
-        Which cells.
-    density : array, shape (n + 2, m + 2, 2), float64
-        The result: flux per pixel area, with the sign of the area; 0 where there is none, and in
-        a ring of cells around all others, so that each edge lies between two.
-    image : array, shape (n_y, n_x), float64
-        Triangles that are too narrow are added to it.
-
-    Returns
-    -------
-    float64
-        Flux of all triangles whose corners hit the plane, on the image or beside it.
+    `column`, `row` (n + 1, m + 1): hits of the nodes; infinite for those without; `flux` (n + 1, m
+    + 1): flux of the nodes; those at the rim have a half or a quarter of a cell's; `parts` (n + 1,
+    3) and (m + 1, 3): parts of a node's flux that go to the cells before and behind it along u, and
+    along v; and 1 for nodes between two cells of equal width; `begin`, `end`: which cells;
+    `density` (n + 2, m + 2, 2): the result: flux per pixel area, with the sign of the area; 0 where
+    there is none, and in a ring of cells around all others, so that each edge lies between two;
+    `image` (n_y, n_x): triangles that are too narrow are added to it. Returns flux of all triangles
+    whose corners hit the plane, on the image or beside it.
     """
     lands = 0.0
     for i in range(begin, end):
@@ -115,14 +102,7 @@ def densities(column, row, flux, parts, begin, end, density, image):  # type: ig
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _edge(kind, i, j):  # type: ignore[no-untyped-def]
-    """One of the three edges that belong to a node: along u, along v, or the cell's diagonal.
-
-    Returns
-    -------
-    tuple of ten uintp
-        Its first and last node; then the two triangles that it separates, as cell and number: the
-        one that has the edge in this direction, and the one that has it in the other.
-    """
+    """One of the three edges that belong to a node: along u, along v, or the cell's diagonal."""
     even = (i + j) % _TWO == _ZERO
     one = _ONE  # cell (i, j) comes behind the ring
     if kind == 0:
@@ -139,14 +119,8 @@ def _edge(kind, i, j):  # type: ignore[no-untyped-def]
 def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyped-def]
     """Add what crosses the edges that belong to nodes from ``begin`` to ``end`` along u.
 
-    Parameters
-    ----------
-    column, row, density
-        See `densities`.
-    begin, end : int
-        Which nodes.
-    steps : array, shape (n_y, n_x + 1), float64
-        Changed; minus its sums along rows are the image.
+    `column`, `row`, `density`: see `densities`; `begin`, `end`: which nodes; `steps` (n_y, n_x +
+    1): changed; minus its sums along rows are the image.
     """
     count_i, count_j = np.uintp(column.shape[0] - 1), np.uintp(column.shape[1] - 1)
     for i in range(np.uintp(begin), np.uintp(end)):
@@ -163,20 +137,11 @@ def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyp
 def edges_back(column, row, density, cotangent, right, begin, end, d_column, d_row, d_density):  # type: ignore[no-untyped-def]
     """Adjoint of `add_edges`, for nodes from ``begin`` to ``end`` along u.
 
-    Parameters
-    ----------
-    column, row, density
-        See `densities`.
-    cotangent : array, shape (n_y, n_x), float64
-        Cotangent of the image.
-    right : array, shape (n_y, n_x + 1), float64
-        Its sums over all pixels from each one to the right end of the row.
-    begin, end : int
-        Which nodes.
-    d_column, d_row : array, shape (end - begin + 1, m + 1), float64
-        Cotangents of the hits of these nodes and the next ones; changed.
-    d_density : array, shape (end - begin + 1, m + 2, 2), float64
-        Those of the densities in the cells before these nodes, and behind them; changed.
+    `column`, `row`, `density`: see `densities`; `cotangent` (n_y, n_x): cotangent of the image;
+    `right` (n_y, n_x + 1): its sums over all pixels from each one to the right end of the row;
+    `begin`, `end`: which nodes; `d_column`, `d_row` (end - begin + 1, m + 1): cotangents of the
+    hits of these nodes and the next ones; changed; `d_density` (end - begin + 1, m + 2, 2): those
+    of the densities in the cells before these nodes, and behind them; changed.
     """
     count_i, count_j = np.uintp(column.shape[0] - 1), np.uintp(column.shape[1] - 1)
     first = np.uintp(begin)
@@ -207,14 +172,9 @@ def densities_back(  # type: ignore[no-untyped-def]
 ):
     """Adjoint of `densities`, for cells with numbers from ``begin`` to ``end`` along u.
 
-    Parameters
-    ----------
-    column, row, density, parts, cotangent, begin, end
-        See `densities` and `edges_back`.
-    d_density : array, shape (n + 2, m + 2, 2), float64
-        Cotangent of the densities.
-    d_column, d_row, d_flux : array, shape (end - begin + 1, m + 1), float64
-        Those of the nodes from ``begin`` on; changed.
+    `column`, `row`, `density`, `parts`, `cotangent`, `begin`, `end`: see `densities` and
+    `edges_back`; `d_density` (n + 2, m + 2, 2): cotangent of the densities; `d_column`, `d_row`,
+    `d_flux` (end - begin + 1, m + 1): those of the nodes from ``begin`` on; changed.
     """
     along_u, along_v = parts
     for i in range(begin, end):

@@ -125,27 +125,12 @@ def _place(lanes, last, axis, t):  # type: ignore[no-untyped-def]
 def find_boxes(hits, flux, parts, i, j, lanes, pixels, t):  # type: ignore[no-untyped-def]
     """Find the boxes of a batch of cells.
 
-    Parameters
-    ----------
-    hits : array, shape (2, n, m)
-        Columns and rows in which rays hit, infinite for those that never do.
-    flux : array, shape (n, m)
-        Of the rays; see `workbench.optics.beams.beam_image`.
-    parts : tuple of two arrays, shape (2, n) and (2, m)
-        Which parts of it belong to the cells before and behind, along both axes.
-    i, j : uintp
-        First ray of the first cell.
-    lanes : uintp
-        Number of cells, below ``RAYS``.
-    pixels : tuple of two int
-        (n_x, n_y).
-    t : array, shape (END,)
-        The result, in the float type of the hits.
-
-    Returns
-    -------
-    float64
-        Their flux; cells of which a ray hits nowhere have none.
+    `hits` (2, n, m): columns and rows in which rays hit, infinite for those that never do; `flux`
+    (n, m): of the rays; see `workbench.optics.beams.beam_image`; `parts` (2, n) and (2, m): which
+    parts of it belong to the cells before and behind, along both axes; `i`, `j`: first ray of the
+    first cell; `lanes`: number of cells, below ``RAYS``; `pixels`: (n_x, n_y); `t` (END,): the
+    result, in the float type of the hits. Returns their flux; cells of which a ray hits nowhere
+    have none.
     """
     _find_interval(hits[0], i, j, lanes, X, t)
     _find_interval(hits[1], i, j, lanes, Y, t)
@@ -188,14 +173,8 @@ def _interval_back(d_hits, i, j, lanes, axis, t):  # type: ignore[no-untyped-def
 def boxes_back(parts, i, j, lanes, t, d_hits, d_flux):  # type: ignore[no-untyped-def]
     """Adjoint of `find_boxes`.
 
-    Parameters
-    ----------
-    parts, i, j, lanes
-        As there.
-    t : array, shape (END,)
-        What it found, with ``MEAN``, ``MORE`` and ``OUTER``.
-    d_hits, d_flux : array, shape (2, n, m) and (n, m)
-        Cotangents of the rays; changed.
+    `parts`, `i`, `j`, `lanes`: as there; `t` (END,): what it found, with ``MEAN``, ``MORE`` and
+    ``OUTER``; `d_hits`, `d_flux` (2, n, m) and (n, m): cotangents of the rays; changed.
     """
     _interval_back(d_hits[0], i, j, lanes, X, t)
     _interval_back(d_hits[1], i, j, lanes, Y, t)

@@ -17,24 +17,16 @@ from workbench.optics.kernels.taps import FAST
 
 
 class Grids(NamedTuple):
-    """Grids that lie side by side along the first axis of their nodes.
+    """Grids that lie side by side along the first axis of their nodes."""
 
-    Attributes
-    ----------
-    first : array, shape (grids + 1,), int64
-        First row of each; behind them the number of all rows.
-    behind : array, shape (grids,), int64
-        First row of each in ``along_u``: where all are alike, it has those of one.
-    along_u, along_v : array, shape (n, 3) and (m, 3), float64
-        Splits along both axes; see `workbench.optics.kernels.beam_raster.densities`.
-    parts_u, parts_v : array, shape (2, n) and (2, m)
-        Their parts of flux, in the float type of the nodes; see `find_boxes`.
-    """
-
-    first: AnyArray
+    first: AnyArray  # (grids + 1,), first row of each; behind them the number of all rows
+    # (grids,), first row of each in ``along_u``: where all are alike, it has those of one.
     behind: AnyArray
+    # (n, 3) and (m, 3), splits along both axes; see
+    # `workbench.optics.kernels.beam_raster.densities`.
     along_u: Array
     along_v: Array
+    # (2, n) and (2, m), their parts of flux, in the float type of the nodes; see `find_boxes`.
     parts_u: AnyArray
     parts_v: AnyArray
 
@@ -56,21 +48,9 @@ class Grids(NamedTuple):
 def add_grids(nodes, grids, begin, end, corners):  # type: ignore[no-untyped-def]
     """Add the boxes of some grids.
 
-    Parameters
-    ----------
-    nodes : array, shape (3, n, m)
-        Columns and rows in which rays hit, and their flux.
-    grids : Grids
-        Of these.
-    begin, end : int
-        Which of them.
-    corners
-        See `workbench.optics.kernels.box_raster.add_boxes`; changed.
-
-    Returns
-    -------
-    float64
-        Flux of all boxes, on the image or beside it.
+    `nodes` (3, n, m): columns and rows in which rays hit, and their flux; `grids`: of these;
+    `begin`, `end`: which of them; `corners`: see `workbench.optics.kernels.box_raster.add_boxes`;
+    changed. Returns flux of all boxes, on the image or beside it.
     """
     landed = 0.0
     for grid in range(begin, end):
@@ -86,14 +66,9 @@ def add_grids(nodes, grids, begin, end, corners):  # type: ignore[no-untyped-def
 def see_grids(nodes, grids, begin, end, sums, result):  # type: ignore[no-untyped-def]
     """Adjoint of `add_grids`.
 
-    Parameters
-    ----------
-    nodes, grids, begin, end
-        As there.
-    sums
-        See `workbench.optics.kernels.box_raster.see_boxes`.
-    result : array, shape (3, n, m)
-        Cotangents of the nodes; those of these grids are changed.
+    `nodes`, `grids`, `begin`, `end`: as there; `sums`: see
+    `workbench.optics.kernels.box_raster.see_boxes`; `result` (3, n, m): cotangents of the nodes;
+    those of these grids are changed.
     """
     for grid in range(begin, end):
         first, last = grids.first[grid], grids.first[grid + 1]

@@ -70,17 +70,9 @@ def _add_corner(here, density, part_x, part_y, corners):  # type: ignore[no-unty
 def add_boxes(hits, flux, parts, corners):  # type: ignore[no-untyped-def]
     """Add the boxes of all cells of a grid of rays.
 
-    Parameters
-    ----------
-    hits, flux, parts
-        See `workbench.optics.kernels.box_cells.find_boxes`.
-    corners : array, shape (n_y + 1, n_x + 1, 4), float64
-        Changed: the numbers at all corners; ends of boxes are in pixels up to n_y and n_x.
-
-    Returns
-    -------
-    float64
-        Flux of all boxes, on the image or beside it.
+    `hits`, `flux`, `parts`: see `workbench.optics.kernels.box_cells.find_boxes`; `corners` (n_y +
+    1, n_x + 1, 4): changed: the numbers at all corners; ends of boxes are in pixels up to n_y and
+    n_x. Returns flux of all boxes, on the image or beside it.
     """
     pixels, row = (corners.shape[1] - 1, corners.shape[0] - 1), _FOUR * np.uintp(corners.shape[1])
     flat, t, at = corners.reshape(-1), np.empty(END, hits.dtype), np.empty(_ENDS, np.uintp)
@@ -168,16 +160,10 @@ def _put(lane, axis, begin, end, mean, t):  # type: ignore[no-untyped-def]
 def see_boxes(hits, flux, parts, sums, d_hits, d_flux):  # type: ignore[no-untyped-def]
     """Adjoint of `add_boxes`.
 
-    Parameters
-    ----------
-    hits, flux, parts
-        As there.
-    sums : array, shape (n_y + 1, n_x + 1, 4), float64
-        Of the cotangent of the image, from the upper left of each pixel to the end of the image
-        along both axes; how much they are more at its upper right and at its lower left; and what
-        that leaves at its lower right.
-    d_hits, d_flux : array, shape (2, n, m) and (n, m)
-        Cotangents of the rays; changed.
+    `hits`, `flux`, `parts`: as there; `sums` (n_y + 1, n_x + 1, 4): of the cotangent of the image,
+    from the upper left of each pixel to the end of the image along both axes; how much they are
+    more at its upper right and at its lower left; and what that leaves at its lower right;
+    `d_hits`, `d_flux` (2, n, m) and (n, m): cotangents of the rays; changed.
     """
     pixels, row = (sums.shape[1] - 1, sums.shape[0] - 1), _FOUR * np.uintp(sums.shape[1])
     flat, t, at = sums.reshape(-1), np.empty(END, hits.dtype), np.empty(_ENDS, np.uintp)

@@ -22,25 +22,14 @@ _NEXT, _PAIR, _THREE_PAIRS = np.uintp(_PITCH), np.uintp(2 * _PITCH), np.uintp(6 
 
 
 class Axis(NamedTuple):
-    """Rays along one axis, and the basis functions there.
+    """Rays along one axis, and the basis functions there."""
 
-    Attributes
-    ----------
-    place : ndarray, shape (m,)
-        x or y of the rays, in columns or rows of the image.
-    first : ndarray of uint, shape (m,)
-        First control point that matters for each.
-    value, slope : ndarray, shape (m, p + 1)
-        Basis functions and their derivatives with respect to x or y.
-    share : ndarray, shape (m,)
-        Part of a cell that each stands for.
-    """
-
-    place: AnyArray
-    first: npt.NDArray[np.uintp]
+    place: AnyArray  # (m,), x or y of the rays, in columns or rows of the image
+    first: npt.NDArray[np.uintp]  # (m,), first control point that matters for each
+    # (m, p + 1), basis functions and their derivatives with respect to x or y.
     value: AnyArray
     slope: AnyArray
-    share: AnyArray
+    share: AnyArray  # (m,), part of a cell that each stands for
 
 
 def make_axis(

@@ -49,23 +49,10 @@ FALLS, MET, LEFT = 1, 0, -1
 def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[no-untyped-def]
     """Depth, state, place, height and slopes of a batch of rays.
 
-    Parameters
-    ----------
-    net, bounds, table
-        The face.
-    w : array, shape (ROWS BATCH,)
-        The batch: rays and the depths to start from; changed.
-    count : int
-        How many rays there are.
-    patch, before : array of int32, shape (BATCH,)
-        Their patches in the end, and room for those of the step before.
-    columns : array, shape (p + 1, (q + 1) BATCH)
-        The coefficients of these patches in the end.
-
-    Returns
-    -------
-    int
-        How many runs of rays there were that began in the same patch.
+    `w` (ROWS BATCH,): the batch: rays and the depths to start from; changed; `count`: how many rays
+    there are; `patch`, `before` (BATCH,): their patches in the end, and room for those of the step
+    before; `columns` (p + 1, (q + 1) BATCH): the coefficients of these patches in the end. Returns
+    how many runs of rays there were that began in the same patch.
     """
     alone = _bracket(net, bounds, w, count)
     if alone > 0:

@@ -16,14 +16,9 @@ _CELLS = 64
 def order_of(net: Net, rays: AnyArray, depths: AnyArray) -> npt.NDArray[np.int64]:
     """Numbers of rays, cell by cell of a face.
 
-    Parameters
-    ----------
-    net : Net
-        The control net of the face.
-    rays : ndarray, shape (6, rays)
-        See `workbench.optics.train.numbers.GivenRays`.
-    depths : ndarray, shape (rays,)
-        Where they met it; infinite for those that did not.
+    `net`: the control net of the face; `rays` (6, rays): see
+    `workbench.optics.train.numbers.GivenRays`; `depths` (rays,): where they met it; infinite for
+    those that did not.
     """
     finer_x, finer_y = (-(-_CELLS // spans) for spans in net.spans)
     order: npt.NDArray[np.int64] = _order(net, finer_x, finer_y, rays, depths)

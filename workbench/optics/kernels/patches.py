@@ -36,30 +36,19 @@ ROWS = 26
 
 
 class Net(NamedTuple):
-    """A control net as the kernels want it; numbers in the trace's float type.
+    """A control net as the kernels want it; numbers in the trace's float type."""
 
-    Attributes
-    ----------
-    half_x, half_y : floating
-        Half-widths of the aperture.
-    rim_x, rim_y : floating
-        How far from the axis rays meet the face: see `workbench.optics.intersection.RIM`.
-    per_x, per_y : floating
-        Knot spans per unit of length.
-    spans : tuple[int, int]
-        Numbers of knot spans.
-    first : int
-        Number of the first patch in a table that holds those of several faces.
-    """
-
+    # Half-widths of the aperture.
     half_x: np.floating[Any]
     half_y: np.floating[Any]
+    # How far from the axis rays meet the face: see `workbench.optics.intersection.RIM`.
     rim_x: np.floating[Any]
     rim_y: np.floating[Any]
+    # Knot spans per unit of length.
     per_x: np.floating[Any]
     per_y: np.floating[Any]
-    spans: tuple[int, int]
-    first: int = 0
+    spans: tuple[int, int]  # numbers of knot spans
+    first: int = 0  # number of the first patch in a table that holds those of several faces
 
 
 def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
@@ -115,16 +104,8 @@ def place(net, w, count, patch):  # type: ignore[no-untyped-def]
 def fill(table, patch, count, columns):  # type: ignore[no-untyped-def]
     """Give all rays the coefficients of their patches; says how many runs of equal ones there are.
 
-    Parameters
-    ----------
-    table : array, shape (patches, p + 1, q + 1)
-        Coefficients.
-    patch : array of int32, shape (BATCH,)
-        Patches of the rays.
-    count : int
-        How many rays there are.
-    columns : array, shape (p + 1, (q + 1) BATCH)
-        The result.
+    `table` (patches, p + 1, q + 1): coefficients; `patch` (BATCH,): patches of the rays; `count`:
+    how many rays there are; `columns` (p + 1, (q + 1) BATCH).
     """
     runs = 1
     for ray in range(1, count):
@@ -249,19 +230,9 @@ def _cubic(coefficients, w, count):  # type: ignore[no-untyped-def]
 def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
     """Add the cotangents of a batch of rays to those of the coefficients, evaluate's adjoint.
 
-    Parameters
-    ----------
-    w, count, patch
-        The rays, with the cotangents of height and local slopes.
-    columns : array, shape (p + 1, (q + 1) BATCH)
-        Room for intermediate results.
-    d_table : array of float64, shape (patches, p + 1, q + 1)
-        Cotangents of the coefficients; changed.
-
-    Returns
-    -------
-    tuple of two int
-        The first and the last patch of the rays.
+    `w`, `count`, `patch`: the rays, with the cotangents of height and local slopes; `columns` (p +
+    1, (q + 1) BATCH): room for intermediate results; `d_table` (patches, p + 1, q + 1): cotangents
+    of the coefficients; changed. Returns the first and the last patch of the rays.
     """
     kind = w.dtype.type
     for ray in range(count):

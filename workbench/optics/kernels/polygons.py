@@ -67,14 +67,8 @@ def _arrays(*tensors: Tensor) -> tuple[Array, ...]:
 def _add_outlines(x, y, density, steps):  # type: ignore[no-untyped-def]
     """Add what crosses the edges of polygons.
 
-    Parameters
-    ----------
-    x, y : array, shape (polygons, corners), float64
-        Their corners, in pixels.
-    density : array, shape (polygons,), float64
-        Flux per area.
-    steps : array, shape (n_y, n_x + 1), float64
-        Changed; minus its sums along rows are the image.
+    `x`, `y` (polygons, corners): their corners, in pixels; `density` (polygons,): flux per area;
+    `steps` (n_y, n_x + 1): changed; minus its sums along rows are the image.
     """
     corners = x.shape[1]
     for k in range(len(density)):
@@ -87,16 +81,8 @@ def _add_outlines(x, y, density, steps):  # type: ignore[no-untyped-def]
 def _outlines_back(x, y, density, cotangent, right, d_x, d_y, d_density):  # type: ignore[no-untyped-def]
     """Adjoint of `_add_outlines`.
 
-    Parameters
-    ----------
-    x, y, density
-        See `_add_outlines`.
-    cotangent : array, shape (n_y, n_x), float64
-        Cotangent of the image.
-    right : array, shape (n_y, n_x + 1), float64
-        Its sums over all pixels from each one to the right end of the row.
-    d_x, d_y, d_density : array
-        Cotangents of the others; changed.
+    `cotangent` (n_y, n_x): cotangent of the image; `right` (n_y, n_x + 1): its sums over all pixels
+    from each one to the right end of the row.
     """
     corners = x.shape[1]
     for k in range(len(density)):

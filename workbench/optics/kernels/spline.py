@@ -21,22 +21,15 @@ from workbench.optics.kernels.tensors import kind_of
 class Bounds(NamedTuple):
     """What the convex-hull property says of a face; numbers in the trace's float type.
 
-    Attributes
-    ----------
-    low, high : floating
-        Depths between which all roots are, wider than the hull by more than the rounding of f.
-    lowest : floating
-        Height of the lowest control point.
-    tolerance : floating
-        A step as small as this is rounding.
-    slope_x, slope_y, bend_xx, bend_xy, bend_yy : floating
-        The most that the derivatives can be anywhere.
+    `slope_x`, `slope_y`, `bend_xx`, `bend_xy`, `bend_yy`: the most that the derivatives can be
+    anywhere.
     """
 
+    # Depths between which all roots are, wider than the hull by more than the rounding of f.
     low: np.floating[Any]
     high: np.floating[Any]
-    lowest: np.floating[Any]
-    tolerance: np.floating[Any]
+    lowest: np.floating[Any]  # height of the lowest control point
+    tolerance: np.floating[Any]  # A step as small as this is rounding
     slope_x: np.floating[Any]
     slope_y: np.floating[Any]
     curvature_xx: np.floating[Any]
@@ -47,12 +40,7 @@ class Bounds(NamedTuple):
 class Face:
     """Faces of one control net.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    dtype : torch.dtype
-        Float type of the trace.
+    `net`: the control net; `dtype`: float type of the trace.
     """
 
     def __init__(self, net: ControlNet, dtype: torch.dtype) -> None:
@@ -66,14 +54,9 @@ class Face:
     def bounds(self, heights: AnyArray, steepest: AnyArray, size: float = 0.0) -> Bounds:
         """Bounds of a face.
 
-        Parameters
-        ----------
-        heights : array, shape (n_u, n_v)
-            Control heights above the level from which the depths of rays count.
-        steepest : array, shape (2,)
-            The most that the slopes of the rays are along x and y.
-        size : float
-            A length whose rounding counts, too, where heights alone are smaller.
+        `heights` (n_u, n_v): control heights above the level from which the depths of rays count;
+        `steepest` (2,): the most that the slopes of the rays are along x and y; `size`: A length
+        whose rounding counts, too, where heights alone are smaller.
         """
         kind = heights.dtype.type
         lowest, highest, *slopes = _hull(heights, *self._distances)
@@ -89,12 +72,8 @@ class Face:
 def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray:
     """Coefficients of s^a t^b of every patch, shape (patches, p + 1, q + 1).
 
-    Parameters
-    ----------
-    heights : array, shape (n_u, n_v)
-        Control heights.
-    powers : tuple of two arrays, shape (p + 1, p + 1, spans)
-        Power coefficients along each axis, by basis function, power and span; see `Patches`.
+    `heights` (n_u, n_v): control heights; `powers` (p + 1, p + 1, spans): power coefficients along
+    each axis, by basis function, power and span; see `Patches`.
     """
     (p, _, across), (q, _, up) = (part.shape for part in powers)
     table = np.empty((across * up, p, q), heights.dtype)
@@ -110,16 +89,9 @@ def heights_cotangent(
 ) -> Array:
     """Cotangent of the control heights from those of tables, the adjoint of `make_table`.
 
-    Parameters
-    ----------
-    d_tables : array, shape (parts, patches, p + 1, q + 1)
-        Cotangents that are to be added up.
-    touched : array, shape (parts, 2)
-        First and last patch of each part whose cotangents are not 0.
-    shape : tuple[int, int]
-        Numbers of control points.
-    powers
-        As for `make_table`.
+    `d_tables` (parts, patches, p + 1, q + 1): cotangents that are to be added up; `touched` (parts,
+    2): first and last patch of each part whose cotangents are not 0; `shape`: numbers of control
+    points.
     """
     across, up = (part.shape[2] for part in powers)
     parts = threads.parts(across * up)

@@ -23,40 +23,24 @@ BATCH = 256
 
 
 class Spread(NamedTuple):
-    """Image and filter as the kernels want them; numbers in the trace's float type.
+    """Image and filter as the kernels want them; numbers in the trace's float type."""
 
-    Attributes
-    ----------
-    left, right, top, bottom : floating
-        Columns and rows between which a ray counts as one on the receiver.
-    pixels : tuple[int, int]
-        (n_x, n_y).
-    taps_x, taps_y : Taps
-        The filter along x and y.
-    """
-
+    # Columns and rows between which a ray counts as one on the receiver.
     left: np.floating[Any]
     right: np.floating[Any]
     top: np.floating[Any]
     bottom: np.floating[Any]
-    pixels: tuple[int, int]
+    pixels: tuple[int, int]  # (n_x, n_y)
+    # The filter along x and y.
     taps_x: Taps
     taps_y: Taps
 
 
 class Workspace(NamedTuple):
-    """Room for a batch; see `workspace`.
+    """Room for a batch; see `workspace`."""
 
-    Attributes
-    ----------
-    numbers : ndarray of one axis
-        Batches of numbers: ``_LIGHT`` and so on, then taps and their slopes.
-    start : ndarray of uintp, shape (BATCH,)
-        Where in the canvas the upper left tap of each ray is.
-    """
-
-    numbers: AnyArray
-    start: npt.NDArray[np.uintp]
+    numbers: AnyArray  # batches of numbers: ``_LIGHT`` and so on, then taps and their slopes
+    start: npt.NDArray[np.uintp]  # (BATCH,), where in the canvas the upper left tap of each ray is
 
 
 # What is where in a workspace: the weight of rays that light any pixel, else 0; 1 for these, else
@@ -69,14 +53,8 @@ _STEP = np.uintp(BATCH)
 def make_spread(pixels: tuple[int, int], filter: Filter, kind: type[np.floating[Any]]) -> Spread:
     """Prepare an image and a filter for kernels of a float type.
 
-    Parameters
-    ----------
-    pixels : tuple[int, int]
-        (n_x, n_y).
-    filter : BoxFilter or GaussianFilter
-        How the flux of a ray is spread over them.
-    kind : type
-        Float type of the kernels.
+    `pixels`: (n_x, n_y); `filter`: how the flux of a ray is spread over them; `kind`: float type of
+    the kernels.
     """
     (n_x, n_y), zero = pixels, kind(0)
     taps = (make_taps(filter.alpha, size, kind) for size in filter.size)
@@ -123,25 +101,11 @@ def workspace(spread, like):  # type: ignore[no-untyped-def]
 def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[no-untyped-def]
     """Add the light of a batch of rays to a canvas.
 
-    Parameters
-    ----------
-    spread : Spread
-        Image and filter.
-    column, row : array, shape (BATCH,)
-        Hits in image coordinates; infinite or not a number for rays that go nowhere.
-    weight : array, shape (BATCH,)
-        Flux of the rays; finite.
-    count : int
-        How many rays there are, at most BATCH.
-    work : Workspace
-        Room for intermediate results.
-    canvas : array, shape (rows, columns)
-        One of `make_canvases`; changed.
-
-    Returns
-    -------
-    tuple of two float64
-        Flux of the rays on the screen, and of those beside it, wherever the filter spreads it.
+    `spread`: image and filter; `column`, `row` (BATCH,): hits in image coordinates; infinite or not
+    a number for rays that go nowhere; `weight` (BATCH,): flux of the rays; finite; `count`: how
+    many rays there are, at most BATCH; `work`: room for intermediate results; `canvas` (rows,
+    columns): one of `make_canvases`; changed. Returns flux of the rays on the screen, and of those
+    beside it, wherever the filter spreads it.
     """
     rays = np.uintp(count)
     numbers, start = work.numbers, work.start
@@ -181,14 +145,8 @@ def gather(  # type: ignore[no-untyped-def]
 ):
     """Cotangents of hits and weights from that of the image: the adjoint of `scatter`.
 
-    Parameters
-    ----------
-    spread, column, row, weight, count, work
-        As for `scatter`.
-    cotangent : array, shape (rows, columns)
-        Cotangent of the image, from `pad`.
-    d_column, d_row, d_weight : array, shape (BATCH,)
-        The results; 0 for rays that light nothing.
+    `cotangent` (rows, columns): cotangent of the image, from `pad`; `d_column`, `d_row`, `d_weight`
+    (BATCH,): the results; 0 for rays that light nothing.
     """
     rays = np.uintp(count)
     numbers, start = work.numbers, work.start

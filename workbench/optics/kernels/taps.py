@@ -34,21 +34,12 @@ SHORT = 6
 
 
 class Taps(NamedTuple):
-    """Filter weights along one axis.
+    """Filter weights along one axis."""
 
-    Attributes
-    ----------
-    half_size : int
-        Pixels on each side of that of the hit, (ν − 1) / 2.
-    alpha : floating
-        α of the Gaussian, per pixel², in the trace's float type.
-    series : ndarray, shape (half_size, 4, terms)
-        Chebyshev coefficients of E_k, F_k, G_k and H_k for k = 1 ... half_size; no terms where the
-        exponentials are to be taken.
-    """
-
-    half_size: int
-    alpha: np.floating[Any]
+    half_size: int  # pixels on each side of that of the hit, (ν − 1) / 2
+    alpha: np.floating[Any]  # α of the Gaussian, per pixel², in the trace's float type
+    # (half_size, 4, terms), chebyshev coefficients of E_k, F_k, G_k and H_k for k = 1 ...
+    # half_size; no terms where the exponentials are to be taken.
     series: AnyArray
 
 
@@ -113,24 +104,11 @@ def _even_functions(o: Array, alpha: float, half_size: int) -> Any:
 def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):  # type: ignore[no-untyped-def]
     """Taps of rays, and their slopes too if these are wanted.
 
-    Parameters
-    ----------
-    taps : Taps
-        The filter.
-    numbers : array of one axis
-        Holds everything; all that follows but ``slopes`` is of type uintp.
-    batch : uintp
-        Room between tap and tap.
-    offset : uintp
-        Where the offsets of the hits begin.
-    count : uintp
-        How many of them there are.
-    slopes : bool
-        Whether slopes are wanted.
-    state : uintp
-        Where there is room for 4 batches of intermediate results.
-    value, slope : uintp
-        Where the results begin, those for tap −half_size first.
+    `taps`: the filter; `numbers`: holds everything; all that follows but ``slopes`` is of type
+    uintp; `batch`: room between tap and tap; `offset`: where the offsets of the hits begin;
+    `count`: how many of them there are; `slopes`: whether slopes are wanted; `state`: where there
+    is room for 4 batches of intermediate results; `value`, `slope`: where the results begin, those
+    for tap −half_size first.
     """
     kind = numbers.dtype.type
     half_size, terms = taps.half_size, taps.series.shape[2]

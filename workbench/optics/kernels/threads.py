@@ -60,10 +60,7 @@ def run(work: Callable[[int], None], parts: int) -> None:
     ``work`` should spend its time in a kernel compiled with ``nogil=True`` and may not call `run`
     again.
 
-    Raises
-    ------
-    Interrupted
-        If the work of the caller's thread is given up, between two parts.
+    Raises `Interrupted` if the work of the caller's thread is given up, between two parts.
     """
     left = iter(range(parts))  # its next number is taken by one thread alone: Python's lock is held
 

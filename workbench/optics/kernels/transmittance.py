@@ -11,13 +11,9 @@ from workbench.optics.kernels.taps import FAST
 def transmittance(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
     """Part of the light that is refracted.
 
-    Parameters
-    ----------
-    law : TransmittanceLaw
-        In the kernel's float type; see `TransmittanceLaw.cast`.
-    cos_in, cos_out : floating
-        Cosines of the angles of incidence and refraction, in the same type; of light that is
-        totally reflected any positive stand-ins.
+    `law`: in the kernel's float type; see `TransmittanceLaw.cast`; `cos_in`, `cos_out`: cosines of
+    the angles of incidence and refraction, in the same type; of light that is totally reflected any
+    positive stand-ins.
     """
     kind = type(cos_in)
     one = kind(1)
@@ -35,10 +31,7 @@ def transmittance(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
 def transmittance_slopes(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
     """Derivatives of `transmittance` by both cosines, each as if the other were fixed.
 
-    Returns
-    -------
-    tuple of two floating
-        By ``cos_in`` and by ``cos_out``.
+    Returns by ``cos_in`` and by ``cos_out``.
     """
     kind = type(cos_in)
     one, two, zero = kind(1), kind(2), kind(0)

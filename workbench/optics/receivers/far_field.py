@@ -15,19 +15,9 @@ _NOWHERE = 0.0, 0.0, 0.0
 class FarFieldReceiver:
     """Directions in which light makes an image; a `Receiver`.
 
-    Parameters
-    ----------
-    far_field : FarField
-        The directions in which light is wanted.
-    distance : float
-        How far away rays end in a drawing, scene units.
-    onwards : int
-        1 for light to +z, -1 for light to -z.
-
-    Attributes
-    ----------
-    upright : bool
-        It is no plane.
+    `far_field`: the directions in which light is wanted; `distance`: how far away rays end in a
+    drawing, scene units; `onwards`: 1 for light to +z, -1 for light to -z. `upright`: it is no
+    plane.
     """
 
     upright = False

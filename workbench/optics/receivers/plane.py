@@ -13,14 +13,9 @@ from workbench.scene import Screen
 class PlaneReceiver:
     """Plane on which light makes an image; a `Receiver`.
 
-    Parameters
-    ----------
-    screen : Screen
-        The part of the plane on which light is wanted.
-    datum : float
-        z of the scene from which the path counts z.
-    onwards : int
-        1 for light that comes along the screen's own +z, -1 for light that comes against it.
+    `screen`: the part of the plane on which light is wanted; `datum`: z of the scene from which the
+    path counts z; `onwards`: 1 for light that comes along the screen's own +z, -1 for light that
+    comes against it.
     """
 
     def __init__(self, screen: Screen, datum: float, onwards: int = 1) -> None:

@@ -14,34 +14,22 @@ Triple = tuple[float, float, float]
 
 
 class ReceiverNumbers(NamedTuple):
-    """A receiver in numbers, for compiled kernels; z is counted from the path's datum.
+    """A receiver in numbers, for compiled kernels; z is counted from the path's datum."""
 
-    Attributes
-    ----------
-    far : bool
-        Whether it counts light by its direction alone: ``column_0 + column[0] H`` and
-        ``row_0 + row[0] V`` with H = atan2(d_x, d_z) and V = asin(d_y) in radians, for d_z > 0.
-        Else it is a plane: ``column_0 + column · (p − point)`` and ``row_0 + row · (p − point)``,
-        where light with ``normal · d`` > 0 meets it at p.
-    point : tuple of three floats
-        On the plane, scene units: its middle.
-    normal : tuple of three floats
-        Unit vector away from the light.
-    column, row : tuple of three floats
-        Columns and rows for each scene unit along x, y and z.
-    column_0, row_0 : float
-        Those of the point, or of the direction along the axis.
-    onwards : int
-        1 for light to +z, -1 for light to -z, whose ``d_z`` a far field counts the other way.
-    """
-
+    # Whether it counts light by its direction alone: ``column_0 + column[0] H`` and ``row_0 +
+    # row[0] V`` with H = atan2(d_x, d_z) and V = asin(d_y) in radians, for d_z > 0. Else it is a
+    # plane: ``column_0 + column · (p − point)`` and ``row_0 + row · (p − point)``, where light with
+    # ``normal · d`` > 0 meets it at p.
     far: bool
-    point: Triple
-    normal: Triple
+    point: Triple  # on the plane, scene units: its middle
+    normal: Triple  # unit vector away from the light
+    # Columns and rows for each scene unit along x, y and z.
     column: Triple
     row: Triple
+    # Those of the point, or of the direction along the axis.
     column_0: float
     row_0: float
+    # 1 for light to +z, -1 for light to -z, whose ``d_z`` a far field counts the other way.
     onwards: int = 1
 
 

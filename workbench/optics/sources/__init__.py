@@ -117,13 +117,8 @@ _EMITTERS: Mapping[type, Callable[[Any, Element, Samples | None], Emitter]] = {
 def emitter_of(source: Source, optic: Element, samples: Samples | None = None) -> Emitter:
     """The element that emits the light of a source towards a lens.
 
-    Parameters
-    ----------
-    source, lens
-        The light and its aperture.
-    samples : tuple[int, int] or Corners, optional
-        Rays along x and y that are wanted in place of the source's own. A source whose
-        rays are drawn at random keeps them.
+    `source`, `lens`: the light and its aperture; `samples`: rays along x and y that are wanted in
+    place of the source's own. A source whose rays are drawn at random keeps them.
     """
     if isinstance(samples, Corners):
         samples = where_lit(samples, source, optic)

@@ -18,19 +18,8 @@ from workbench.scene import CollimatedSource, Element
 class CollimatedEmitter:
     """A tensor grid of rays that fills the entrance face; an `Emitter`.
 
-    Parameters
-    ----------
-    source : CollimatedSource
-        How many rays.
-    optic : Element
-        Gives the entrance face.
-    samples : tuple[int, int] or Corners, optional
-        Rays along x and y; those of the source by default.
-
-    Attributes
-    ----------
-    samples : tuple[int, int] or Corners
-        Rays along x and y.
+    `source`: how many rays; `optic`: gives the entrance face; `samples`: rays along x and y; those
+    of the source by default. `samples`: rays along x and y.
     """
 
     by_area = True

@@ -34,21 +34,11 @@ _MOVES = 0.2
 
 
 class _Face(NamedTuple):
-    """The first freeform face of an optic.
+    """The first freeform face of an optic."""
 
-    Attributes
-    ----------
-    depth : float
-        How far it is behind the aperture.
-    moves : float
-        How far it may come from there.
-    inside : float
-        Refractive index of what is before it.
-    """
-
-    depth: float
-    moves: float
-    inside: float
+    depth: float  # how far it is behind the aperture
+    moves: float  # how far it may come from there
+    inside: float  # refractive index of what is before it
 
     @classmethod
     def of(cls, optic: Element) -> Self:
@@ -65,12 +55,8 @@ class _Face(NamedTuple):
 def where_lit(corners: Corners, source: Source, optic: Element) -> Corners:
     """Corners of cells where light is.
 
-    Parameters
-    ----------
-    corners : Corners
-        How many there are.
-    source, optic
-        The light, and the optic whose first freeform face is sampled.
+    `corners`: how many there are; `source`, `optic`: the light, and the optic whose first freeform
+    face is sampled.
     """
     face = _Face.of(optic)
     if isinstance(source, CollimatedSource):

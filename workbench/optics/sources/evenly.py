@@ -18,33 +18,20 @@ _ROUNDS = 30
 
 
 class SpreadPlaces(NamedTuple):
-    """Places within −1 and 1 along x and y, of a rectangle or of the ellipse in it.
+    """Places within −1 and 1 along x and y, of a rectangle or of the ellipse in it."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (k,)
-        The places.
-    share : ndarray, shape (k,)
-        Part of the area that each stands for; all together 1.
-    """
-
+    # (k,), the places.
     x: Array
     y: Array
-    share: Array
+    share: Array  # (k,), part of the area that each stands for; all together 1
 
 
 @lru_cache(maxsize=16)
 def spread(count: int, outline: Outline, aspect: float = 1.0) -> SpreadPlaces:
     """Places that fill an outline evenly; its own mirror image in x and in y.
 
-    Parameters
-    ----------
-    count : int
-        How many; rounded up to a multiple of 4, except that 1 is the middle alone.
-    outline : {"rectangle", "ellipse"}
-        What is filled.
-    aspect : float
-        Width over height of it.
+    `count`: how many; rounded up to a multiple of 4, except that 1 is the middle alone; `outline`:
+    what is filled; `aspect`: width over height of it.
 
     Notes
     -----
@@ -82,12 +69,8 @@ def spread(count: int, outline: Outline, aspect: float = 1.0) -> SpreadPlaces:
 def at_corners(cells: tuple[int, int], outline: Outline) -> SpreadPlaces:
     """Corners of a grid of cells that fills an outline; its own mirror image in x and in y.
 
-    Parameters
-    ----------
-    cells : tuple[int, int]
-        Cells along x and y; corners come row by row.
-    outline : {"rectangle", "ellipse"}
-        What is filled; lines of an ellipse's grid are arcs.
+    `cells`: cells along x and y; corners come row by row; `outline`: what is filled; lines of an
+    ellipse's grid are arcs.
     """
     (u, w_u), (v, w_v) = (_trapezoids(count) for count in cells)
     filled = outline_named(outline, (1.0, 1.0))

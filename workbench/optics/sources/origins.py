@@ -18,18 +18,10 @@ from workbench.scene import Element
 
 
 class EnteringLight(NamedTuple):
-    """Light at places of the entrance face; arrays of one shape.
+    """Light at places of the entrance face; arrays of one shape."""
 
-    Attributes
-    ----------
-    direction : tuple of three ndarray
-        Unit vectors.
-    density : ndarray
-        Flux per area of the face.
-    """
-
-    direction: tuple[Array, Array, Array]
-    density: Array
+    direction: tuple[Array, Array, Array]  # unit vectors
+    density: Array  # flux per area of the face
 
 
 class Pattern(Protocol):
@@ -49,17 +41,10 @@ class Pattern(Protocol):
 
 
 class TurnedPattern(NamedTuple):
-    """Light of faces that are turned away from +z; a `Pattern`.
+    """Light of faces that are turned away from +z; a `Pattern`."""
 
-    Attributes
-    ----------
-    facing : ndarray, shape (3,)
-        Unit vector across the face, to the side that shines.
-    lambertian : bool
-        Whether intensity falls with the cosine to it; else it is even before the face.
-    """
-
-    facing: Array
+    facing: Array  # (3,), unit vector across the face, to the side that shines
+    # Whether intensity falls with the cosine to it; else it is even before the face.
     lambertian: bool
 
     def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
@@ -70,18 +55,10 @@ class TurnedPattern(NamedTuple):
 
 
 class EmittedLight(NamedTuple):
-    """All light of one point, as the flux into directions.
+    """All light of one point, as the flux into directions."""
 
-    Attributes
-    ----------
-    direction : ndarray, shape (n, 3)
-        Unit vectors.
-    flux : ndarray, shape (n,)
-        Flux into each; together 1.
-    """
-
-    direction: Array
-    flux: Array
+    direction: Array  # (n, 3), unit vectors
+    flux: Array  # (n,), flux into each; together 1
 
     def onto(self, z: float) -> tuple["EmittedLight", Array, Array]:
         """The light that goes to +z; x and y, from those of the point, at a distance z."""
@@ -91,51 +68,31 @@ class EmittedLight(NamedTuple):
 
 
 class Origins(NamedTuple):
-    """Where the light of a source comes from, k places with their flux.
+    """Where the light of a source comes from, k places with their flux."""
 
-    Attributes
-    ----------
-    places : ndarray, shape (k, 3)
-        Points, scene units; or, where infinite, unit vectors in which the light goes.
-    infinite : bool
-        Whether the light of each origin is parallel.
-    flux : ndarray, shape (k,)
-        Of points, flux per solid angle straight ahead, to +z. Of directions, flux per area of a
-        plane across the direction, in the middle of the beam. All light of the source together,
-        what misses the lens included, is 1.
-    lambertian : bool
-        Of points: whether intensity falls with the cosine to +z; else it is even.
-    waist : float
-        Of directions: 1/e² radius of the flux per area about the line through the middle of the
-        entrance face; infinite for even light.
-    pattern : Pattern, optional
-        Of points: intensity by direction; flux per solid angle is ``flux`` times that.
-    note : str
-        How far they are from what they stand for, in words; empty where nothing is to be said.
-    emitted : EmittedLight, optional
-        All light of a single point, where a table says it.
-    """
-
+    # (k, 3), points, scene units; or, where infinite, unit vectors in which the light goes.
     places: Array
-    infinite: bool
+    infinite: bool  # whether the light of each origin is parallel
+    # (k,), of points, flux per solid angle straight ahead, to +z. Of directions, flux per area of a
+    # plane across the direction, in the middle of the beam. All light of the source together, what
+    # misses the lens included, is 1.
     flux: Array
+    # Of points: whether intensity falls with the cosine to +z; else it is even.
     lambertian: bool = False
+    # Of directions: 1/e² radius of the flux per area about the line through the middle of the
+    # entrance face; infinite for even light.
     waist: float = math.inf
+    # Of points: intensity by direction; flux per solid angle is ``flux`` times that.
     pattern: Pattern | None = None
+    # How far they are from what they stand for, in words; empty where nothing is to be said.
     note: str = ""
-    emitted: EmittedLight | None = None
+    emitted: EmittedLight | None = None  # all light of a single point, where a table says it
 
     def light(self, x: Array, y: Array, z: float, origin: Index) -> EnteringLight:
         """Light of origins at places of the entrance face.
 
-        Parameters
-        ----------
-        x, y : ndarray
-            Places, scene units.
-        z : float
-            Where the face is.
-        origin : ndarray of int
-            From which origin the light comes there; all three broadcast against each other.
+        `x`, `y`: places, scene units; `z`: where the face is; `origin`: from which origin the light
+        comes there; all three broadcast against each other.
 
         Examples
         --------

@@ -25,12 +25,8 @@ from workbench.scene import Element, PhotometricSource
 class TurnedTable:
     """Intensity of a lamp that is turned; a `Pattern`.
 
-    Parameters
-    ----------
-    table : IntensityTable
-        In the directions of the file.
-    matrix : ndarray, shape (3, 3)
-        Turns directions of the file into those of the scene.
+    `table`: in the directions of the file; `matrix` (3, 3): turns directions of the file into those
+    of the scene.
     """
 
     def __init__(self, table: IntensityTable, matrix: Array) -> None:
@@ -44,10 +40,7 @@ class TurnedTable:
 def light_of_table(source: PhotometricSource) -> EmittedLight:
     """All light of a lamp, in the directions of the scene.
 
-    Raises
-    ------
-    Refused
-        If the file cannot be read or used.
+    Raises `Refused` if the file cannot be read or used.
     """
     return _turned(intensity_of(source), tuple(source.matrix.ravel().tolist()))
 

@@ -16,14 +16,8 @@ from workbench.scene import Element, LightOfPoints
 class PointEmitter:
     """Rays into the cones that just cover the entrance face; an `Emitter`.
 
-    Parameters
-    ----------
-    source : LightOfPoints
-        Where the points are, and how they emit.
-    optic : Element
-        Gives the entrance face.
-    samples : tuple[int, int] or Corners, optional
-        Corners of cells of the first freeform face; rays drawn at random by default.
+    `source`: where the points are, and how they emit; `optic`: gives the entrance face; `samples`:
+    corners of cells of the first freeform face; rays drawn at random by default.
     """
 
     beside = 0.0

@@ -19,33 +19,15 @@ from workbench.optics.surfaces.surface import Meeting
 class BSplineSurface:
     """Face whose control heights are free, on a net over a rectangle; a `Surface`.
 
-    Parameters
-    ----------
-    name : str
-        What its heights are called.
-    net : ControlNet
-        Where the control heights sit.
-    datum : float
-        Height at the origin of its frame: z of the scene from which the path counts z, or 0 in a
-        frame of its element.
-    dtype, device
-        Float type and device of the trace.
-    subdivisions : tuple[int, int], optional
-        Of each knot span along x and y: rays then meet triangles, as in the paper, in place of the
-        B-spline itself.
-    outline : Outline, optional
-        What of the rectangle is glass; all of it by default.
-    level : float, optional
-        Height near its mean height, by default the datum: what kernels count heights from, so that
-        float32 keeps the digits that make the shape.
-    behind : bool
-        Whether all heights but the control heights are of a frame that is turned by 180° about
-        its x, see `Surface.from_behind`.
-
-    Attributes
-    ----------
-    z : float
-        Where its level is, counted from the origin of its frame.
+    `name`: what its heights are called; `net`: where the control heights sit; `datum`: height at
+    the origin of its frame: z of the scene from which the path counts z, or 0 in a frame of its
+    element; `dtype`, `device`: float type and device of the trace; `subdivisions`: of each knot
+    span along x and y: rays then meet triangles, as in the paper, in place of the B-spline itself;
+    `outline`: what of the rectangle is glass; all of it by default; `level`: height near its mean
+    height, by default the datum: what kernels count heights from, so that float32 keeps the digits
+    that make the shape; `behind`: whether all heights but the control heights are of a frame that
+    is turned by 180° about its x, see `Surface.from_behind`. `z`: where its level is, counted from
+    the origin of its frame.
 
     Notes
     -----

@@ -24,27 +24,11 @@ class Conic:
 
     A `Surface`. The sag is that of ISO 10110-12.
 
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    z : float
-        Where its vertex is, counted from the origin of its frame.
-    curvature : float
-        c, one over the radius: positive where the centre of curvature lies on the +z side.
-    conic : float
-        The conic constant k: 0 of a sphere, −1 of a paraboloid.
-    outline : Outline
-        What of it is glass.
-    coefficients : sequence of float
-        a₄, a₆, …; none of a conic.
-
-    Attributes
-    ----------
-    reach2 : float
-        Greatest r² of an asphere that rays meet: a little beyond the outline.
-    low, high : float
-        Its sag is between these up to there.
+    `name`: what it is called; `z`: where its vertex is, counted from the origin of its frame;
+    `curvature`: c, one over the radius: positive where the centre of curvature lies on the +z side;
+    `conic`: the conic constant k: 0 of a sphere, −1 of a paraboloid; `outline`: what of it is
+    glass; `coefficients`: a₄, a₆, …; none of a conic. `reach2`: greatest r² of an asphere that rays
+    meet: a little beyond the outline; `low`, `high`: its sag is between these up to there.
 
     Notes
     -----

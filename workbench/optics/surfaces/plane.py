@@ -13,14 +13,8 @@ from workbench.optics.surfaces.surface import Meeting
 class Plane:
     """Plane at one z; a `Surface`.
 
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    z : float
-        Where it is, counted from the origin of its frame.
-    outline : Outline
-        What of the plane is glass.
+    `name`: what it is called; `z`: where it is, counted from the origin of its frame; `outline`:
+    what of the plane is glass.
     """
 
     kind = "plane"

@@ -30,31 +30,18 @@ Number = np.floating[Any]
 
 
 class Aperture(NamedTuple):
-    """The outline of an optic in the plane of its front vertex, and what samples stand for.
+    """The outline of an optic in the plane of its front vertex, and what samples stand for."""
 
-    Attributes
-    ----------
-    passes : bool
-        Whether all light goes straight on through it: then the rest plays no part.
-    front : floating
-        Height of its plane, counted as those of the face.
-    r_x, r_y : floating
-        Half-widths.
-    curved : bool
-        Whether it is an ellipse.
-    by_x2, by_y2 : floating
-        One by the squares of its semi-axes.
-    low_x, high_x, low_y, high_y : ndarray
-        Ends of what each sample along x, along y stands for.
-    """
-
-    passes: bool
-    front: Number
+    passes: bool  # whether all light goes straight on through it: then the rest plays no part
+    front: Number  # height of its plane, counted as those of the face
+    # Half-widths.
     r_x: Number
     r_y: Number
-    curved: bool
+    curved: bool  # whether it is an ellipse
+    # One by the squares of its semi-axes.
     by_x2: Number
     by_y2: Number
+    # Ends of what each sample along x, along y stands for.
     low_x: AnyArray
     high_x: AnyArray
     low_y: AnyArray

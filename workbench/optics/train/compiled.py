@@ -66,19 +66,10 @@ _SMALL = {
 class CompiledTrain:
     """Rays followed from where they begin to the receiver.
 
-    Parameters
-    ----------
-    path : Path
-        One that `matches`.
-    mirrored : tuple[bool, bool]
-        The promise that heights, elements and source are mirror images of themselves in x, in y:
-        then of origins that are mirror images of each other one is traced, or of one origin on the
-        axis one half of the samples.
-
-    Attributes
-    ----------
-    mirrored : tuple[bool, bool]
-        Along which axes the nodes are one half of all, and the others their mirror images.
+    `path`: one that `matches`; `mirrored`: the promise that heights, elements and source are mirror
+    images of themselves in x, in y: then of origins that are mirror images of each other one is
+    traced, or of one origin on the axis one half of the samples. `mirrored`: along which axes the
+    nodes are one half of all, and the others their mirror images.
     """
 
     name = "train"

@@ -80,14 +80,8 @@ SUMS = 7
 def transfer(element, pair, lanes):  # type: ignore[no-untyped-def]
     """Rays of a batch as lines in the frame of an element.
 
-    Parameters
-    ----------
-    element : Element
-        The element.
-    pair : array
-        Registers of the face before it, and behind them its own.
-    lanes : int
-        How many rays there are.
+    `pair`: registers of the face before it, and behind them its own; `lanes`: how many rays there
+    are.
     """
     if element.moves:
         for lane in range(np.uintp(lanes)):

@@ -37,38 +37,21 @@ _INTERRUPTION = 2
 
 
 class Start(NamedTuple):
-    """What the loops take of the rays of a trace.
+    """What the loops take of the rays of a trace."""
 
-    Attributes
-    ----------
-    samples : tuple
-        Heights and basis functions of a face that is sampled, its samples, and the light.
-    first : FirstFace
-        That face.
-    depths : ndarray, shape (elements, rows, columns)
-        Where the search for the faces begins; the trace changes it.
-    steepest : ndarray, shape (2,), optional
-        The most that slopes of given rays are.
-    """
-
+    # Heights and basis functions of a face that is sampled, its samples, and the light.
     samples: tuple[AnyArray, tuple[Axis, ...], Samples, Light]
-    first: FirstFace
+    first: FirstFace  # that face
+    # (elements, rows, columns), where the search for the faces begins; the trace changes it.
     depths: AnyArray
-    steepest: AnyArray | None = None
+    steepest: AnyArray | None = None  # (2,), the most that slopes of given rays are
 
 
 class Last(NamedTuple):
-    """What the last trace says of where the search of the next one begins.
+    """What the last trace says of where the search of the next one begins."""
 
-    Attributes
-    ----------
-    depths : ndarray, shape (elements, rows, columns)
-        Where rays met the faces.
-    runs : int
-        How many runs of rays there were whose search for the first of them began in one patch.
-    """
-
-    depths: AnyArray
+    depths: AnyArray  # (elements, rows, columns), where rays met the faces
+    # How many runs of rays there were whose search for the first of them began in one patch.
     runs: int
 
 
@@ -139,12 +122,7 @@ def is_known(path: Path) -> bool:
 def entry_of(path: Path, mirrored: tuple[bool, bool]) -> Entry:
     """Where the rays of a path begin.
 
-    Parameters
-    ----------
-    path : Path
-        One that `is_known`.
-    mirrored : tuple[bool, bool]
-        See `workbench.optics.train.compiled.CompiledTrain`.
+    `path`: one that `is_known`; `mirrored`: see `workbench.optics.train.compiled.CompiledTrain`.
     """
     train = SampledTrain.of(path)
     if train is None:
@@ -155,17 +133,7 @@ def entry_of(path: Path, mirrored: tuple[bool, bool]) -> Entry:
 
 
 class _Sampled(Entry):
-    """Samples, and which origins and which half of them are traced.
-
-    Parameters
-    ----------
-    train : SampledTrain
-        What is sampled.
-    path : Path
-        The path of the light.
-    mirrored : tuple[bool, bool]
-        See `workbench.optics.train.compiled.CompiledTrain`.
-    """
+    """Samples, and which origins and which half of them are traced."""
 
     def __init__(self, train: SampledTrain, path: Path, mirrored: tuple[bool, bool]) -> None:
         self.sampled, self.rest, self.changes = train.first, train.rest, train.changes
@@ -280,10 +248,7 @@ class DrawnRays(Entry):
     They are kept sorted by the patch of that face in which they met it in the last trace. When many
     have moved to other patches, they are sorted again.
 
-    Parameters
-    ----------
-    path : Path
-        The path of the light.
+    `path`: the path of the light.
     """
 
     rims = False

@@ -32,16 +32,8 @@ def first_face(
 ) -> FirstFace:
     """The first face of a train, if it is sampled.
 
-    Parameters
-    ----------
-    step : FaceStep, optional
-        The face.
-    lift : float
-        Level that its heights are counted from, above a plane entrance face.
-    straight : bool
-        Whether its light goes along the axis.
-    kind : type
-        Float type of the loops.
+    `lift`: level that its heights are counted from, above a plane entrance face; `straight`:
+    whether its light goes along the axis; `kind`: float type of the loops.
     """
     does = REFRACTS_STRAIGHT if straight else REFRACTS
     law, absorption, reflectance = _ANY_LAW, 0.0, 1.0
@@ -56,27 +48,12 @@ def first_face(
 class FurtherFaces:
     """The faces that rays search for, with the B-splines among them as one table of patches.
 
-    Parameters
-    ----------
-    steps : sequence of FaceStep
-        The faces.
-    changes : sequence of Frame
-        Changes of coordinates before each of them, and behind the last one.
-    z : float
-        Where positions before the first of them are counted from.
-    samples : Outline, optional
-        What cuts parts that samples stand for, if the first of them is the next face behind them.
-    dtype : torch.dtype
-        Float type of the trace.
-
-    Attributes
-    ----------
-    splines : list of BSplineSurface
-        Those that are B-splines.
-    to_receiver : Frame
-        Change from the coordinates of the last face to those of the receiver.
-    steepest : ndarray, shape (faces, 2)
-        The most that slopes of the rays before them were for the last train.
+    `steps`: the faces; `changes`: changes of coordinates before each of them, and behind the last
+    one; `z`: where positions before the first of them are counted from; `samples`: what cuts parts
+    that samples stand for, if the first of them is the next face behind them; `dtype`: float type
+    of the trace. `splines`: those that are B-splines; `to_receiver`: change from the coordinates of
+    the last face to those of the receiver; `steepest` (faces, 2): the most that slopes of the rays
+    before them were for the last train.
     """
 
     def __init__(

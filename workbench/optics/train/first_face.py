@@ -54,20 +54,9 @@ REFRACTS, REFRACTS_STRAIGHT, REFLECTS = range(3)
 def pass_first(face, lanes, t):  # type: ignore[no-untyped-def]
     """Rays behind the first face.
 
-    Parameters
-    ----------
-    face : FirstFace
-        The face.
-    lanes : int
-        How many samples there are.
-    t : array
-        Registers of the first face, with the light and the positions of samples.
-
-    Returns
-    -------
-    tuple of four float64
-        Flux absorbed before the face, that meets it, that is not totally reflected, and that goes
-        on.
+    `lanes`: how many samples there are; `t`: registers of the first face, with the light and the
+    positions of samples. Returns flux absorbed before the face, that meets it, that is not totally
+    reflected, and that goes on.
     """
     if face.kind == REFRACTS_STRAIGHT:
         return _refract_straight(face, lanes, t)

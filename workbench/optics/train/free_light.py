@@ -28,58 +28,36 @@ Number = np.floating[Any]
 
 
 class FarLight(NamedTuple):
-    """Light from infinitely far; arrays of shape (k,), a number for each direction.
+    """Light from infinitely far; arrays of shape (k,), a number for each direction."""
 
-    Attributes
-    ----------
-    x, y, z : ndarray
-        Unit vectors.
-    flux : ndarray
-        Flux per area across the axis, in the middle of the beam.
-    narrowing : floating
-        Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
-    front : floating
-        Height of the aperture, where the middle of the beam is.
-    """
-
+    # Unit vectors.
     x: AnyArray
     y: AnyArray
     z: AnyArray
-    flux: AnyArray
+    flux: AnyArray  # flux per area across the axis, in the middle of the beam
+    # Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
     narrowing: Number
-    front: Number
+    front: Number  # height of the aperture, where the middle of the beam is
 
 
 class NearLight(NamedTuple):
-    """Points before the face; arrays of shape (k,).
+    """Points before the face; arrays of shape (k,)."""
 
-    Attributes
-    ----------
-    x, y : ndarray
-        Where they are, scene units.
-    below, ahead : ndarray
-        How far they are before the level of heights, and before the aperture.
-    flux : ndarray
-        Flux per solid angle straight ahead.
-    lambert : floating
-        1 for Lambertian points, else 0.
-    patterns : ndarray, shape (k or 0, n, n)
-        See `workbench.optics.patterns.tabulated`; none where intensity is even or Lambertian.
-    per_x, per_y : floating
-        Steps between values of the patterns for each length.
-    first_x, first_y : floating
-        Step at x = 0, at y = 0.
-    """
-
+    # Where they are, scene units.
     x: AnyArray
     y: AnyArray
+    # How far they are before the level of heights, and before the aperture.
     below: AnyArray
     ahead: AnyArray
-    flux: AnyArray
-    lambert: Number
+    flux: AnyArray  # flux per solid angle straight ahead
+    lambert: Number  # 1 for Lambertian points, else 0
+    # (k or 0, n, n), see `workbench.optics.patterns.tabulated`; none where intensity is even or
+    # Lambertian.
     patterns: AnyArray
+    # Steps between values of the patterns for each length.
     per_x: Number
     per_y: Number
+    # Step at x = 0, at y = 0.
     first_x: Number
     first_y: Number
 

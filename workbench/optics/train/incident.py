@@ -57,16 +57,8 @@ def incident_light(
 ) -> Light:
     """Light at the samples.
 
-    Parameters
-    ----------
-    train, path
-        The train.
-    halves : Halves
-        Which samples are traced.
-    even : bool
-        Whether light along the axis meets no other freeform face.
-    kind : type
-        Float type of the loops.
+    `train`, `path`: the train; `halves`: which samples are traced; `even`: whether light along the
+    axis meets no other freeform face; `kind`: float type of the loops.
     """
     origins, counts = len(train.origins.flux), [len(line.part) for line in train.lines]
     light = _no_light(len(halves.first(train.lines[1].part, 1)), origins, kind)
@@ -128,12 +120,7 @@ def _points(glass: Glass, kind: Kind) -> Points:
 class NewtonSteps:
     """Steps of Newton's method by which light of points behind glass is found at all samples.
 
-    Parameters
-    ----------
-    glass : Glass
-        The entrance face.
-    dtype : torch.dtype
-        Float type of the loops.
+    `glass`: the entrance face; `dtype`: float type of the loops.
     """
 
     def __init__(self, glass: Glass, dtype: torch.dtype) -> None:

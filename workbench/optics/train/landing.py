@@ -39,32 +39,19 @@ Triple = tuple[Number, Number, Number]
 
 
 class Landing(NamedTuple):
-    """A receiver in the coordinates of the last face, in the trace's float type.
+    """A receiver in the coordinates of the last face, in the trace's float type."""
 
-    Attributes
-    ----------
-    far : bool
-        Whether it counts light by its direction alone.
-    normal : tuple of three floating
-        Of a plane; of a far field the direction from which H and V are counted.
-    beyond : floating
-        Distance of a plane from the origin along its normal.
-    column, row : tuple of three floating
-        Columns and rows for each length along x, y and z of a place on a plane. Of a far field the
-        directions in which H and V grow.
-    column_0, row_0 : floating
-        Those of the origin; or of the direction along the axis.
-    per_h, per_v : floating
-        Of a far field: columns for each radian of H, rows for each of V.
-    """
-
-    far: bool
-    normal: Triple
-    beyond: Number
+    far: bool  # whether it counts light by its direction alone
+    normal: Triple  # of a plane; of a far field the direction from which H and V are counted
+    beyond: Number  # distance of a plane from the origin along its normal
+    # Columns and rows for each length along x, y and z of a place on a plane. Of a far field the
+    # directions in which H and V grow.
     column: Triple
     row: Triple
+    # Those of the origin; or of the direction along the axis.
     column_0: Number
     row_0: Number
+    # Of a far field: columns for each radian of H, rows for each of V.
     per_h: Number
     per_v: Number
 
@@ -72,14 +59,8 @@ class Landing(NamedTuple):
 def landing_of(receiver: Receiver, to_receiver: Frame, kind: type[Number]) -> Landing:
     """A receiver for kernels of a float type.
 
-    Parameters
-    ----------
-    receiver : Receiver
-        The receiver.
-    to_receiver : Frame
-        Change from the coordinates of the last face to those of the receiver.
-    kind : type
-        Float type.
+    `to_receiver`: change from the coordinates of the last face to those of the receiver; `kind`:
+    float type.
     """
     numbers, turn = receiver.numbers(), to_receiver.rotation
     per_h = per_v = beyond = 0.0
@@ -218,14 +199,7 @@ def _in_far_field(landing, direction):  # type: ignore[no-untyped-def]
 def receive(landing, w, lanes, t):  # type: ignore[no-untyped-def]
     """Columns, rows and flux of a batch at the receiver; see `on_plane`.
 
-    Parameters
-    ----------
-    landing : Landing
-        The receiver.
-    w, t : array
-        Registers of the last face, and of the first.
-    lanes : int
-        How many rays there are.
+    `w`, `t`: registers of the last face, and of the first; `lanes`: how many rays there are.
     """
     zero = t.dtype.type(0)
     if landing.far:

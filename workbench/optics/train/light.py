@@ -22,22 +22,10 @@ from workbench.optics.train.registers import (
 def shine(light, k, samples, i, j, face, lanes, t):  # type: ignore[no-untyped-def]
     """Slopes and flux of the light at samples, and their derivatives by the height of the face.
 
-    Parameters
-    ----------
-    light : Light
-        The light.
-    k : int
-        Which of its origins.
-    samples : tuple of SampleLine, SampleLine and OutlineNumbers
-        All samples along x and y, and the outline.
-    i, j : int
-        The first sample of the batch along x; that along y.
-    face : FirstFace
-        The first face.
-    lanes : int
-        How many samples there are.
-    t : array
-        Registers of the first face, with its heights and slopes; those of light are 0 at first.
+    `light`: the light; `k`: which of its origins; `samples`: all samples along x and y, and the
+    outline; `i`, `j`: the first sample of the batch along x; that along y; `face`: the first face;
+    `lanes`: how many samples there are; `t`: registers of the first face, with its heights and
+    slopes; those of light are 0 at first.
     """
     across, up, outline = samples
     if light.kind == EVEN:

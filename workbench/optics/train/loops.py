@@ -66,36 +66,17 @@ def land(  # type: ignore[no-untyped-def]
 ):  # fmt: skip
     """Trace samples to the receiver.
 
-    Parameters
-    ----------
-    heights : array, shape (n_u, n_v)
-        Of the first face, above its level; as all of it, unused where rays are given.
-    bases : tuple of two Axis
-        Basis functions at the samples along x and y.
-    samples, light
-        See `workbench.optics.train.light.shine`.
-    train : tuple of FirstFace and Elements
-        The faces.
-    landing : Landing
-        The receiver.
-    table : array, shape (patches, p, q)
-        Patches of all further B-splines.
-    depths : array, shape (elements, rows, columns)
-        Where rays met the elements of the last train; changed. Rows are origins × samples along y,
-        columns samples along x; or those of given rays.
-    spread : Spread
-        The filter of an image.
-    begin, end : int
-        Which columns to trace.
-    nodes : array, shape (3, rows, columns)
-        Columns, rows and flux at the receiver, where no image is wanted; changed.
-    rims : array, shape (rows, columns)
-        Distances to the rims of the elements, if they are wanted; changed.
-    canvas : array of float64
-        See `workbench.optics.kernels.spread.make_canvases`; empty where no image is wanted.
-        Changed.
-    sums : array of float64, shape (elements + 1, SUMS)
-        Sums of the faces, see `FIRST_SUMS` and `workbench.optics.train.elements`; changed.
+    `heights` (n_u, n_v): of the first face, above its level; as all of it, unused where rays are
+    given; `bases`: basis functions at the samples along x and y; `samples`, `light`: see
+    `workbench.optics.train.light.shine`; `train`: the faces; `table` (patches, p, q): patches of
+    all further B-splines; `depths` (elements, rows, columns): where rays met the elements of the
+    last train; changed. Rows are origins × samples along y, columns samples along x; or those of
+    given rays; `spread`: the filter of an image; `begin`, `end`: which columns to trace; `nodes`
+    (3, rows, columns): columns, rows and flux at the receiver, where no image is wanted; changed;
+    `rims` (rows, columns): distances to the rims of the elements, if they are wanted; changed;
+    `canvas`: see `workbench.optics.kernels.spread.make_canvases`; empty where no image is wanted.
+    Changed; `sums` (elements + 1, SUMS): sums of the faces, see `FIRST_SUMS` and
+    `workbench.optics.train.elements`; changed.
     """
     (across, up), (face, elements) = bases, train
     rows, count = make_rows(heights), len(elements.kind)
@@ -153,23 +134,12 @@ def back(  # type: ignore[no-untyped-def]
 ):  # fmt: skip
     """Adjoint of `land`.
 
-    Parameters
-    ----------
-    heights, bases, samples, light, train, landing, table, spread, begin, end
-        As there.
-    depths : array
-        Those that `land` found.
-    d_nodes, d_rims : array
-        Cotangents of nodes and rims.
-    canvas : array
-        Cotangent of the image, see `workbench.optics.kernels.spread.pad`; empty where none is
-        wanted.
-    gradient : array of float64, shape (n_u, n_v)
-        Of the heights; changed.
-    d_table : array of float64, shape (patches, p, q)
-        Of the patches; changed.
-    touched : array of int64, shape (elements, 2)
-        The first and the last patch of each element that was changed; changed.
+    `heights`, `bases`, `samples`, `light`, `train`, `landing`, `table`, `spread`, `begin`, `end`:
+    as there; `depths`: those that `land` found; `d_nodes`, `d_rims`: cotangents of nodes and rims;
+    `canvas`: cotangent of the image, see `workbench.optics.kernels.spread.pad`; empty where none is
+    wanted; `gradient` (n_u, n_v): of the heights; changed; `d_table` (patches, p, q): of the
+    patches; changed; `touched` (elements, 2): the first and the last patch of each element that was
+    changed; changed.
     """
     (across, up), (face, elements) = bases, train
     rows, d_rows, count = make_rows(heights), make_rows(heights), len(elements.kind)

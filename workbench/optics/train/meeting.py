@@ -41,26 +41,12 @@ R2, Q, Q_1, Q_2 = S, T, Z, Z_SS
 def search(element, tables, e, w, depths, lanes, patch, before, columns):  # type: ignore[no-untyped-def]
     """Where rays meet the face: depth, state and slopes.
 
-    Parameters
-    ----------
-    element, e
-        The element and its number.
-    tables : tuple of two arrays
-        Patches of all B-splines, and aspheric coefficients of all elements.
-    w : array
-        Its registers.
-    depths : array
-        Of the batch for the last train: where the search for a B-spline begins. Changed: infinite
-        for rays that do not meet it.
-    lanes : int
-        How many rays there are.
-    patch, before, columns
-        See `workbench.optics.kernels.intersection.meet`.
-
-    Returns
-    -------
-    int
-        How many runs of rays there were that began in the same patch of a B-spline.
+    `element`, `e`: the element and its number; `tables`: patches of all B-splines, and aspheric
+    coefficients of all elements; `w`: its registers; `depths`: of the batch for the last train:
+    where the search for a B-spline begins. Changed: infinite for rays that do not meet it; `lanes`:
+    how many rays there are; `patch`, `before`, `columns`: see
+    `workbench.optics.kernels.intersection.meet`. Returns how many runs of rays there were that
+    began in the same patch of a B-spline.
     """
     kind, (table, coefficients), runs = w.dtype.type, tables, 0
     if element.kind == BSPLINE:
@@ -248,14 +234,8 @@ def _at_asphere(element, w, lanes):  # type: ignore[no-untyped-def]
 def face_back(element, w, lanes, patch, columns, d_table, touched):  # type: ignore[no-untyped-def]
     """Add the cotangents of a B-spline to those of its patches.
 
-    Parameters
-    ----------
-    element, w, lanes, patch, columns
-        As for `search`.
-    d_table : array of float64, shape (patches, p, q)
-        Cotangents of the patches; changed.
-    touched : array of int64, shape (2,)
-        The first and the last patch of this element that was changed so far; changed.
+    `d_table` (patches, p, q): cotangents of the patches; changed; `touched` (2,): the first and the
+    last patch of this element that was changed so far; changed.
     """
     if element.kind == BSPLINE:
         first, last = collect(w, lanes, patch, columns, d_table)

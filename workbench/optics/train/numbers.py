@@ -17,139 +17,85 @@ Number = np.floating[Any]
 
 
 class SampleLine(NamedTuple):
-    """Samples of the exit face along one axis; arrays of shape (m,), scene units.
+    """Samples of the exit face along one axis; arrays of shape (m,), scene units."""
 
-    Attributes
-    ----------
-    place : ndarray
-        Where they are.
-    low, high : ndarray
-        Ends of what each stands for.
-    half_width : floating
-        Of the entrance face; infinite where an `OutlineNumbers` is curved.
-    """
-
-    place: AnyArray
+    place: AnyArray  # where they are
+    # Ends of what each stands for.
     low: AnyArray
     high: AnyArray
-    half_width: Number
+    half_width: Number  # of the entrance face; infinite where an `OutlineNumbers` is curved
 
 
 class OutlineNumbers(NamedTuple):
-    """A lens that is not all of its rectangle.
+    """A lens that is not all of its rectangle."""
 
-    Attributes
-    ----------
-    curved : bool
-        Whether it is so at all; if not, the rest plays no part.
-    inside : ndarray, shape (samples along y, samples along x)
-        Which part of what each sample stands for is inside it.
-    by_x2, by_y2 : floating
-        One by the squares of its semi-axes.
-    """
-
-    curved: bool
+    curved: bool  # whether it is so at all; if not, the rest plays no part
+    # (samples along y, samples along x), which part of what each sample stands for is inside it.
     inside: AnyArray
+    # One by the squares of its semi-axes.
     by_x2: Number
     by_y2: Number
 
 
 class Sky(NamedTuple):
-    """Light from infinitely far; arrays of shape (k,), a number for each direction.
+    """Light from infinitely far; arrays of shape (k,), a number for each direction."""
 
-    Attributes
-    ----------
-    slope_x, slope_y : ndarray
-        Slopes in the glass.
-    air_x, air_y : ndarray
-        Unit vectors before it.
-    flux : ndarray
-        Flux per area behind the entrance face, in the middle of the beam.
-    narrowing : floating
-        Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
-    """
-
+    # Slopes in the glass.
     slope_x: AnyArray
     slope_y: AnyArray
+    # Unit vectors before it.
     air_x: AnyArray
     air_y: AnyArray
-    flux: AnyArray
+    flux: AnyArray  # flux per area behind the entrance face, in the middle of the beam
+    # Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
     narrowing: Number
 
 
 class Points(NamedTuple):
-    """Points at one distance before the entrance face; arrays of shape (k,).
+    """Points at one distance before the entrance face; arrays of shape (k,)."""
 
-    Attributes
-    ----------
-    x, y : ndarray
-        Where they are, scene units.
-    flux : ndarray
-        Flux per area of the entrance face right before each, without its reflection.
-    apparent, distance2 : floating
-        c = n d and d², for the distance d.
-    lambert : floating
-        1 for Lambertian points, else 0.
-    patterns : ndarray, shape (k or 0, n, n)
-        See `workbench.optics.patterns.tabulated`; none where intensity is even or
-        Lambertian.
-    per_x, per_y : floating
-        Steps between values of the patterns for each length.
-    first_x, first_y : floating
-        Step at x = 0, at y = 0.
-    steps : int
-        Of Newton's method.
-    law : TransmittanceLaw
-        Of the entrance face.
-    """
-
+    # Where they are, scene units.
     x: AnyArray
     y: AnyArray
-    flux: AnyArray
+    flux: AnyArray  # flux per area of the entrance face right before each, without its reflection
+    # C = n d and d², for the distance d.
     apparent: Number
     distance2: Number
-    lambert: Number
+    lambert: Number  # 1 for Lambertian points, else 0
+    # (k or 0, n, n), see `workbench.optics.patterns.tabulated`; none where intensity is even or
+    # Lambertian.
     patterns: AnyArray
+    # Steps between values of the patterns for each length.
     per_x: Number
     per_y: Number
+    # Step at x = 0, at y = 0.
     first_x: Number
     first_y: Number
-    steps: int
-    law: TransmittanceLaw
+    steps: int  # of Newton's method
+    law: TransmittanceLaw  # of the entrance face
 
 
 class EvenLight(NamedTuple):
-    """Light along the axis; see `Light`.
+    """Light along the axis; see `Light`."""
 
-    Attributes
-    ----------
-    across, up : ndarray, shape (samples along x or y,)
-        Parts of the flux, whose products are those of samples within the outline.
-    inside : ndarray, shape (samples along y or 1, samples along x)
-        Which part of what each sample stands for is inside the outline.
-    flux : floating
-        Of all samples together, were all inside.
-    """
-
+    # (samples along x or y,), parts of the flux, whose products are those of samples within the
+    # outline.
     across: AnyArray
     up: AnyArray
+    # (samples along y or 1, samples along x), which part of what each sample stands for is inside
+    # the outline.
     inside: AnyArray
-    flux: Number
+    flux: Number  # of all samples together, were all inside
 
 
 class GivenRays(NamedTuple):
-    """Rays that were followed up to the first freeform face; they search for it.
+    """Rays that were followed up to the first freeform face; they search for it."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (6, rows, columns)
-        x, y, z of places on the rays, z counted from the level of that face; slopes; and flux,
-        below 0 of rays that are lost. Light is absorbed from these places on.
-    rims : ndarray, shape (rows, columns)
-        Distances to the rims of the faces before; none where those of the faces do not matter.
-    """
-
+    # (6, rows, columns), x, y, z of places on the rays, z counted from the level of that face;
+    # slopes; and flux, below 0 of rays that are lost. Light is absorbed from these places on.
     values: AnyArray
+    # (rows, columns), distances to the rims of the faces before; none where those of the faces do
+    # not matter.
     rims: AnyArray
 
 
@@ -159,75 +105,39 @@ same two before the first face; rays that were followed up to the first freeform
 
 
 class Light(NamedTuple):
-    """Light at samples of the first face of the train, or on its way to it.
+    """Light at samples of the first face of the train, or on its way to it."""
 
-    Attributes
-    ----------
-    kind : int
-        Which of the following it is; the others are empty.
-    even : EvenLight
-    sky : Sky
-    points : Points
-    far : workbench.optics.train.free_light.FarLight
-    near : workbench.optics.train.free_light.NearLight
-    given : GivenRays
-    aperture : Aperture
-        Before a face that light meets from outside.
-    areas : ndarray, shape (samples along y, samples along x)
-        What samples stand for, as seen along the axis; of light before the first face.
-    share_x, share_y : ndarray
-        Factors of the flux of samples along x and y: which of them belong to a half that is traced
-        alone. None where all are traced.
-    rows : int
-        Samples along y, or rows of rays.
-    origins : int
-        How many directions or points there are; 1 of given rays.
-    """
-
-    kind: int
+    kind: int  # which of the following it is; the others are empty
     even: EvenLight
     sky: Sky
     points: Points
     far: FarLight
     near: NearLight
     given: GivenRays
-    aperture: Aperture
+    aperture: Aperture  # before a face that light meets from outside
+    # (samples along y, samples along x), what samples stand for, as seen along the axis; of light
+    # before the first face.
     areas: AnyArray
+    # Factors of the flux of samples along x and y: which of them belong to a half that is traced
+    # alone. None where all are traced.
     share_x: AnyArray
     share_y: AnyArray
-    rows: int
-    origins: int
+    rows: int  # samples along y, or rows of rays
+    origins: int  # how many directions or points there are; 1 of given rays
 
 
 class FirstFace(NamedTuple):
-    """The first face of a train, and the medium before it.
+    """The first face of a train, and the medium before it."""
 
-    Attributes
-    ----------
-    kind : int
-        See `workbench.optics.train.first_face`.
-    ratio, ratio2_minus_1 : floating
-        Refractive index n before the face over that behind it, and n² − 1.
-    lift : floating
-        Level that heights are counted from, above a plane entrance face.
-    critical : floating
-        Squared cosines below this count as total reflection.
-    absorption : floating
-        Of the medium, per length.
-    law : TransmittanceLaw
-        How much it refracts.
-    reflectance : floating
-        Of a mirror.
-    """
-
-    kind: int
+    kind: int  # see `workbench.optics.train.first_face`
+    # Refractive index n before the face over that behind it, and n² − 1.
     ratio: Number
     ratio2_minus_1: Number
-    lift: Number
-    critical: Number
-    absorption: Number
-    law: TransmittanceLaw
-    reflectance: Number
+    lift: Number  # level that heights are counted from, above a plane entrance face
+    critical: Number  # squared cosines below this count as total reflection
+    absorption: Number  # of the medium, per length
+    law: TransmittanceLaw  # how much it refracts
+    reflectance: Number  # of a mirror
 
 
 CONIC, BSPLINE, ASPHERE = range(3)
@@ -235,33 +145,17 @@ CONIC, BSPLINE, ASPHERE = range(3)
 
 
 class Elements(NamedTuple):
-    """The further faces of a train; arrays with one entry, or one row, for each.
+    """The further faces of a train; arrays with one entry, or one row, for each."""
 
-    Attributes
-    ----------
-    kind : ndarray of int32
-        `CONIC`, `BSPLINE` or `ASPHERE`.
-    flags : ndarray of bool, shape (n, 5)
-        Whether it reflects, has a curved outline, is the next face behind samples with a curved
-        outline, its transmittance is exact, its frame is not along the axis of the one before.
-    numbers : ndarray, shape (n, 25)
-        See `element_of`.
-    changes : ndarray, shape (n, 12)
-        `Change` of coordinates before it.
-    coefficients : ndarray, shape (n, m)
-        a₄, a₆, … of aspheres.
-    bounds : ndarray, shape (n, 9)
-        `workbench.optics.kernels.spline.Bounds` of B-splines.
-    spans : ndarray of int64, shape (n, 3)
-        Numbers of knot spans of B-splines, and where their patches begin in the table of all.
-    """
-
-    kind: npt.NDArray[np.int32]
+    kind: npt.NDArray[np.int32]  # `CONIC`, `BSPLINE` or `ASPHERE`
+    # (n, 5), whether it reflects, has a curved outline, is the next face behind samples with a
+    # curved outline, its transmittance is exact, its frame is not along the axis of the one before.
     flags: npt.NDArray[np.bool_]
-    numbers: AnyArray
-    changes: AnyArray
-    coefficients: AnyArray
-    bounds: AnyArray
+    numbers: AnyArray  # (n, 25), see `element_of`
+    changes: AnyArray  # (n, 12), `Change` of coordinates before it
+    coefficients: AnyArray  # (n, m), a₄, a₆, … of aspheres
+    bounds: AnyArray  # (n, 9), `workbench.optics.kernels.spline.Bounds` of B-splines
+    # (n, 3), numbers of knot spans of B-splines, and where their patches begin in the table of all.
     spans: npt.NDArray[np.int64]
 
 
@@ -292,36 +186,10 @@ class Law(NamedTuple):
 
 
 class Element(NamedTuple):
-    """One of the `Elements`, in scalars.
+    """One of the `Elements`, in scalars."""
 
-    Attributes
-    ----------
-    kind : int
-        `CONIC`, `BSPLINE` or `ASPHERE`.
-    reflects, curved, behind_samples, moves : bool
-        See `Elements`.
-    ratio2_minus_1, critical, absorption, reflectance : floating
-        As in `FirstFace`.
-    by_x2, by_y2 : floating
-        One by the squares of half-widths or semi-axes.
-    rim : floating
-        `workbench.optics.intersection.RIM`.
-    beyond : floating
-        `workbench.optics.sampled.beyond_rim` of a face behind samples.
-    first_x2, first_y2 : floating
-        One by the squares of semi-axes of the outline of samples.
-    curvature, conic : floating
-        c and k of a conic.
-    reach2, low, high, tolerance : floating
-        Of an asphere, see `workbench.optics.surfaces.Conic`.
-    change : Change
-        Of coordinates before it; a shift along z alone if it does not move.
-    law : TransmittanceLaw
-    net : Net
-    bounds : Bounds
-    """
-
-    kind: int
+    kind: int  # `CONIC`, `BSPLINE` or `ASPHERE`
+    # See `Elements`.
     reflects: bool
     curved: bool
     behind_samples: bool
@@ -330,19 +198,23 @@ class Element(NamedTuple):
     critical: Number
     absorption: Number
     reflectance: Number
+    # One by the squares of half-widths or semi-axes.
     by_x2: Number
     by_y2: Number
-    rim: Number
-    beyond: Number
+    rim: Number  # `workbench.optics.intersection.RIM`
+    beyond: Number  # `workbench.optics.sampled.beyond_rim` of a face behind samples
+    # One by the squares of semi-axes of the outline of samples.
     first_x2: Number
     first_y2: Number
+    # C and k of a conic.
     curvature: Number
     conic: Number
+    # Of an asphere, see `workbench.optics.surfaces.Conic`.
     reach2: Number
     low: Number
     high: Number
     tolerance: Number
-    change: Change
+    change: Change  # of coordinates before it; a shift along z alone if it does not move
     law: Law
     net: Net
     bounds: Bounds

@@ -13,18 +13,9 @@ _ONE = np.uintp(1)
 def weigh(pattern, u, v, d_u, d_v, lane, t):  # type: ignore[no-untyped-def]
     """Multiply the flux of a sample by a bilinear table, constant beyond it.
 
-    Parameters
-    ----------
-    pattern : array, shape (n, n)
-        The table.
-    u, v : floating
-        Where its light crosses the plane of the table, in steps of the table.
-    d_u, d_v : floating
-        Derivatives of both by the height of the face.
-    lane : uintp
-        Which sample.
-    t : array
-        Registers of the first face; its flux and the derivative of that are changed.
+    `pattern` (n, n); `u`, `v`: where its light crosses the plane of the table, in steps of the
+    table; `d_u`, `d_v`: derivatives of both by the height of the face; `lane`: which sample; `t`:
+    registers of the first face; its flux and the derivative of that are changed.
     """
     kind = t.dtype.type
     zero, one, last = kind(0), kind(1), kind(len(pattern) - 1)

@@ -20,22 +20,10 @@ from workbench.optics.kernels.taps import FAST
 def snell(ratio, ratio2_minus_1, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untyped-def]
     """Snell's law.
 
-    Parameters
-    ----------
-    ratio, ratio2_minus_1 : floating
-        η, and η² − 1.
-    critical : floating
-        Squared cosines up to here count as total reflection.
-    s_x, s_y : floating
-        Slopes of the ray before the face.
-    z_x, z_y : floating
-        Slopes of the face.
-
-    Returns
-    -------
-    tuple
-        m, Q, Γ, 1 / (L S), and whether the ray meets the face from before and passes it; of others
-        Q is L S.
+    `ratio`, `ratio2_minus_1`: η, and η² − 1; `critical`: squared cosines up to here count as total
+    reflection; `s_x`, `s_y`: slopes of the ray before the face; `z_x`, `z_y`: slopes of the face.
+    Returns m, Q, Γ, 1 / (L S), and whether the ray meets the face from before and passes it; of
+    others Q is L S.
     """
     one = type(s_x)(1)
     lean = one - s_x * z_x - s_y * z_y
@@ -55,19 +43,9 @@ def snell_back(  # type: ignore[no-untyped-def]
 ):  # fmt: skip
     """Adjoint of `snell`, for a ray that passes.
 
-    Parameters
-    ----------
-    ratio, ratio2_minus_1, s_x, s_y, z_x, z_y
-        As there.
-    refracted : tuple
-        What it gave.
-    d_lean, d_o_x, d_o_y, d_o_z, d_cos_in, d_cos_out : floating
-        Cotangents of m, of the direction o and of the cosines.
-
-    Returns
-    -------
-    tuple of four floating
-        Cotangents of the slopes of the ray, and of those of the face.
+    `ratio`, `ratio2_minus_1`, `s_x`, `s_y`, `z_x`, `z_y`: as there; `refracted`: what it gave;
+    `d_lean`, `d_o_x`, `d_o_y`, `d_o_z`, `d_cos_in`, `d_cos_out`: cotangents of m, of the direction
+    o and of the cosines. Returns cotangents of the slopes of the ray, and of those of the face.
     """
     one, two, half = type(s_x)(1), type(s_x)(2), type(s_x)(0.5)
     lean, q, gamma, by_both, _ = refracted
