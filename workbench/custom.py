@@ -39,17 +39,15 @@ from torch import Tensor
 from workbench.design.loss import paper_loss
 from workbench.geometry.outlines import Ellipse, Outline, Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.optics.arrival import Arrival
-from workbench.optics.interfaces import Passed, Reflection, Refraction
-from workbench.optics.irradiance import reconstruct
+from workbench.optics.images import reconstruct
+from workbench.optics.interfaces import Passed, Reflection, Refraction, TransmittanceLaw
 from workbench.optics.path import Path
-from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.rays import Arrival, RayBundle, Vector
 from workbench.optics.receivers import Receiver
 from workbench.optics.sources import Emitter
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Surface
 from workbench.optics.surfaces.sag import Sag
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Filter, GaussianFilter
 
 __all__ = [

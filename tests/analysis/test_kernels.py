@@ -25,7 +25,7 @@ from workbench.design.limits import undesigned
 from workbench.design.run import run
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
-from workbench.optics.precision import precision_of
+from workbench.optics.plan import precision_of
 from workbench.scene import Scene
 
 compile_all(dtypes=(torch.float32, torch.float64))  # what set-up does

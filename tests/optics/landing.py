@@ -1,6 +1,6 @@
 """Where light lands on a screen in lengths, from the pixels in which the tracers count."""
 
-from workbench.optics.irradiance import reconstruct
+from workbench.optics.images import reconstruct
 
 
 def places_of(arrival, screen):

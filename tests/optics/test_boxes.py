@@ -7,8 +7,7 @@ import torch
 from tests.optics.cells_of_light import nodes_of, splits
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.beams import beam_image
-from workbench.optics.boxes import box_image
+from workbench.optics.images.beams import beam_image, box_image
 from workbench.optics.samples import Corners
 
 BOTH = pytest.mark.parametrize("fused", [True, False], ids=["kernel", "reference"])

@@ -10,8 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.optics.cells_of_light import nodes_of, splits
-from workbench.optics.beams import beam_image
-from workbench.optics.boxes import box_image
+from workbench.optics.images.beams import beam_image, box_image
 
 
 class Kind(NamedTuple):

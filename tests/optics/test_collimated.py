@@ -6,10 +6,10 @@ import torch
 
 from tests.optics.landing import places_of
 from workbench.geometry.surface import ControlNet
+from workbench.optics.interfaces import refract
 from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
-from workbench.optics.refraction import refract
 
 DTYPES = [torch.float32, torch.float64]
 

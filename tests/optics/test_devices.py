@@ -11,8 +11,7 @@ from workbench.design.bounds import Bounds
 from workbench.design.net import definite
 from workbench.files.session import open_design
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.beam_reference import reference_beam_image
-from workbench.optics.box_reference import reference_box_image
+from workbench.optics.images.beams import reference_beam_image, reference_box_image
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 

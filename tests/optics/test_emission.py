@@ -7,11 +7,10 @@ import pytest
 from scipy.optimize import minimize
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.cap import covering_caps
-from workbench.optics.entering import entering
+from workbench.optics.interfaces import TransmittanceLaw
 from workbench.optics.path import Path
-from workbench.optics.sources.evenly import spread
-from workbench.optics.transmittance import TransmittanceLaw
+from workbench.optics.sources.emission import covering_caps, entering
+from workbench.optics.sources.origins import spread
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 1 << 16}
 

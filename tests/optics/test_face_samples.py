@@ -17,7 +17,7 @@ from tests.optics.points import (
     smooth,
 )
 from workbench.geometry.surface import ControlNet
-from workbench.optics.irradiance import reconstruct
+from workbench.optics.images import reconstruct
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
 from workbench.optics.reference import Reference

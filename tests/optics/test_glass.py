@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workbench.optics.glass import FlatGlass
-from workbench.optics.transmittance import TransmittanceLaw
+from workbench.optics.interfaces import TransmittanceLaw
 
 DTYPES = [torch.float32, torch.float64]
 LAW = TransmittanceLaw.schlick(1 / 1.5)

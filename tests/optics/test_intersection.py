@@ -7,7 +7,7 @@ from scipy.interpolate import NdBSpline
 
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import Bundle, ExactIntersection
+from workbench.optics.surfaces.intersection import Bundle, ExactIntersection
 
 DTYPES = [torch.float32, torch.float64]
 RAYS = 25_000

@@ -8,8 +8,8 @@ import torch
 
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import Bundle, ExactIntersection
-from workbench.optics.mesh import MeshIntersection, TriangleMesh
+from workbench.optics.surfaces.intersection import Bundle, ExactIntersection
+from workbench.optics.surfaces.mesh import MeshIntersection, TriangleMesh
 
 DTYPES = [torch.float32, torch.float64]
 NET = ControlNet((7, 6), (3, 2), (1.0, 0.75))

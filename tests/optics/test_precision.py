@@ -4,8 +4,7 @@ import numpy as np
 import torch
 
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.plan import Plan
-from workbench.optics.precision import nearly_touches, precision_of
+from workbench.optics.plan import Plan, nearly_touches, precision_of
 from workbench.optics.samples import Corners
 
 FAR = {"screen.z": 2e5, "screen.pixels": [64, 64], "lens.height_range": [-0.02, 0.02]}

@@ -8,10 +8,9 @@ import torch
 
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.interfaces import TransmittanceLaw, refract, root_where_positive
+from workbench.optics.paths import total_reflection
 from workbench.optics.plan import Plan
-from workbench.optics.refraction import refract, root_where_positive
-from workbench.optics.total_reflection import total_reflection
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 DTYPES = [torch.float32, torch.float64]

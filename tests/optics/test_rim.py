@@ -5,11 +5,9 @@ import pytest
 import torch
 
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.beam_reference import drawn
-from workbench.optics.beams import beam_image
-from workbench.optics.boxes import box_image
+from workbench.optics.images.beams import beam_image, box_image, drawn
+from workbench.optics.images.rim import rim_light
 from workbench.optics.kernels.polygons import compiled_drawn
-from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners, places, splits_side_by_side
 
 PIXELS = (9, 8)

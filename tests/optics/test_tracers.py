@@ -9,10 +9,10 @@ from tests.optics.points import GRID, POINT, smooth
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed
 from workbench.optics.path import Path
+from workbench.optics.plan import Tracers
 from workbench.optics.rays import RayBundle
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
-from workbench.optics.tracers import Tracers
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 MESH = POINT | {"intersection": {"method": "mesh"}}

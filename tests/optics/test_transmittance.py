@@ -7,8 +7,8 @@ import pytest
 import torch
 
 from workbench.compiled import jit
-from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
-from workbench.optics.transmittance import TransmittanceLaw, normal_reflectance
+from workbench.optics.interfaces import TransmittanceLaw, normal_reflectance
+from workbench.optics.kernels.refraction import transmittance, transmittance_slopes
 
 INDICES = [1.0003, 1.5, 3.5]
 LAWS = {

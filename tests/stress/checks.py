@@ -14,8 +14,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
-from workbench.optics.plan import Plan
-from workbench.optics.precision import nearly_touches
+from workbench.optics.plan import Plan, nearly_touches
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners, places_of_points
 from workbench.optics.train.compiled import CompiledTrain

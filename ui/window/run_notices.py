@@ -21,7 +21,7 @@ from workbench.said import Said
 if TYPE_CHECKING:
     from ui.run.control import RunControl
     from ui.shown.frame import Frame
-    from workbench.optics.total_reflection import TotalReflection
+    from workbench.optics.paths import TotalReflection
 
 _MORE = 0.05  # of a needed range, at each end
 _LEAST = 1e-6  # of the light; less is rounding
@@ -225,7 +225,7 @@ class TotalReflectionNotice(QObject):
 
 def _find(session: Session, task: Task) -> "TotalReflection | None":
     # Late: torch comes with it, and the window shows before that.
-    from workbench.optics.total_reflection import total_reflection
+    from workbench.optics.paths import total_reflection
 
     heights = session.heights
     return None if heights is None else total_reflection(session.scene, heights)

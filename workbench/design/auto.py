@@ -2,7 +2,7 @@
 
 - A first lens comes from optimal transport (`workbench.design.transport`): all light on its way to
   the right part of the screen before the first iteration.
-- L-BFGS follows, on the image of beams of light (`workbench.optics.beams`): without noise and
+- L-BFGS follows, on the image of beams (`workbench.optics.images.beams`): without noise and
   without a filter, so that what it lowers is the true error. Changes of the net are cosine waves,
   the long ones made easy; near a source, long ones may come first (`workbench.design.descent`).
 - All steps look at as many beams as the error of their image is worth. Steps by fewer beams cost as

@@ -17,7 +17,7 @@ from workbench.errors import Refused
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.geometry.surface import ControlNet, freeform_nets, nets_of
 from workbench.optics.path import Path
-from workbench.optics.precision import precision_of
+from workbench.optics.plan import precision_of
 from workbench.optics.samples import Corners
 from workbench.optics.train.compiled import CompiledTrain
 from workbench.process import as_bytes, available_memory

@@ -10,18 +10,14 @@ from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
-from workbench.optics.beams import beam_image
-from workbench.optics.boxes import box_image
-from workbench.optics.choice import Choice
+from workbench.optics.images.beams import beam_image, box_image
+from workbench.optics.images.rim import rim_light, split_light
+from workbench.optics.images.source_beams import Spots, between_origins, light_apart, spots_of
 from workbench.optics.light import BeamTracer, Light, sum_of_lines
 from workbench.optics.path import Path
-from workbench.optics.plan import device_of, notes_of_lines
-from workbench.optics.precision import precision_of
+from workbench.optics.plan import Choice, device_of, notes_of_lines, precision_of
 from workbench.optics.reference import Reference
-from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
-from workbench.optics.source_beams import Spots, between_origins, light_apart, spots_of
-from workbench.optics.split_cells import split_light
 from workbench.optics.train.compiled import CompiledTrain
 from workbench.said import Said
 from workbench.scene import Scene
@@ -42,7 +38,7 @@ class BeamPlan:
     the one that the scene needs, see `precision_of`; `fused`: False asks for the reference;
     `mirrored`: the caller's promise that heights, lens and source are mirror images of themselves
     in x, in y. Kernels then trace one half of the rays only, if the number of cells is even.
-    `boxes`: whether cells are drawn as boxes, see `workbench.optics.boxes`. Raises `Refused` if the
+    `boxes`: whether cells are drawn as boxes. Raises `Refused` if the
     scene asks for a device that is not there.
     """
 

@@ -13,11 +13,11 @@ from torch import Tensor
 
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
-from workbench.optics.intersection import RIM
 from workbench.optics.rays import RayBundle, Vector, seen
 from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins, vector
 from workbench.optics.steps import FaceStep
+from workbench.optics.surfaces.intersection import RIM
 
 # No place is nearer to the axis, as a part of the way to the rim: the root has a slope.
 _TINY = 1e-15
@@ -27,7 +27,7 @@ class Followed(NamedTuple):
     """Rays behind fixed faces, in float64."""
 
     rays: RayBundle  # they stay in the rows and columns of their samples, also those that are lost
-    rim: Tensor  # their distance to the rims of the faces, see `workbench.optics.rim`
+    rim: Tensor  # their distance to the rims of the faces, see `workbench.optics.images.rim`
     # Flux lost before the aperture and at the faces, by its name in the light account.
     lost: dict[str, float]
 

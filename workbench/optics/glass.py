@@ -1,17 +1,17 @@
-"""The light of a point behind a flat face: one ray through each place in the glass.
+"""Light of a point behind a flat face, at places in the glass.
 
-A ray from a point at the distance d before the face that crosses it at the radius ρ_e from the
-point's axis goes on at the slope ρ_e g, where
+A ray from a point at the distance d before the face crosses the face at the radius ρ_e from the
+point's axis. Its slope behind the face is ρ_e g with
 
     g(ρ_e) = (n² d² + (n² − 1) ρ_e²)^(−½).
 
-The ray through the radius ρ at the depth t behind the face is the one that solves
+The ray through the radius ρ at the depth t behind the face solves
 
     ρ_e + t ρ_e g(ρ_e) = ρ.
 
 The left side rises and is concave, so Newton's method from below never fails. The flux per area
-of the plane at that depth is e(ρ_e) (ρ_e / ρ) dρ_e/dρ, with e for that behind the face. All of it
-is written with r = ρ_e / ρ, which has a limit on the axis.
+of the plane at that depth is e(ρ_e) (ρ_e / ρ) dρ_e/dρ, where e is the flux per area right behind
+the face. The code uses r = ρ_e / ρ, which has a limit on the axis.
 """
 
 from typing import NamedTuple
@@ -19,7 +19,7 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
-from workbench.optics.transmittance import TransmittanceLaw
+from workbench.optics.interfaces import TransmittanceLaw
 
 _MOST_STEPS = 100
 

@@ -1,8 +1,10 @@
-"""Light behind a plane entrance face at samples of the freeform face behind it: the reference.
+"""Light behind a plane entrance face at samples of the freeform face behind it, in torch.
 
-A grid of places on that face sees the light of each origin once, wherever that entered. So the face
-is evaluated once for all origins, and no ray has to search for it. The compiled twin is
-`workbench.optics.train.glass_light`.
+The samples are places of the freeform face, the same for all origins: the face is evaluated once,
+and no ray has to search for it. The compiled twin is `workbench.optics.train.glass_light`.
+
+The aperture of an element is its outline in the plane of its front vertex, `Element.front_z`. The
+source lights the first face through it, also where that face is before or behind this plane.
 """
 
 import math
@@ -16,16 +18,53 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet, GridBasis
-from workbench.optics.aperture import part_within, seen
 from workbench.optics.glass import FlatGlass
+from workbench.optics.interfaces import TransmittanceLaw
 from workbench.optics.path import Path
-from workbench.optics.patterns import Patterns, interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Places, parts_inside
 from workbench.optics.sources.origins import Origins
+from workbench.optics.sources.patterns import Patterns, interpolated, tabulated
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Meeting
-from workbench.optics.transmittance import TransmittanceLaw
+
+# In the middle of the aperture no distance to the outline has a direction.
+_CENTRE = 1e-12
+
+
+def seen(low: Tensor, high: Tensor, begin: Tensor | float, end: Tensor | float) -> Tensor:
+    """Length of what of intervals lies between two ends."""
+    return (high.clamp(max=end) - low.clamp(min=begin)).clamp(min=0)
+
+
+def part_within(
+    here: tuple[Tensor, Tensor],
+    crossing: tuple[Tensor, Tensor],
+    size: tuple[Tensor, Tensor],
+    half_width: tuple[float, float],
+) -> Tensor:
+    """Part of what an elliptic outline holds of each sample whose light it lets through.
+
+    Exactly 1 of light that goes straight on.
+
+    `here`, `crossing`: x and y of samples, and of where their light crosses the aperture, scene
+    units; `size`: widths along x and y of what the samples stand for; `half_width`: semi-axes of
+    the outline.
+    """
+    holds = _held(*here, size, half_width)
+    part = _held(*crossing, size, half_width) / torch.where(holds > 0, holds, 1.0)
+    return torch.where(holds > 0, part.clamp_max(1), 1.0)
+
+
+def _held(
+    x: Tensor, y: Tensor, size: tuple[Tensor, Tensor], half_width: tuple[float, float]
+) -> Tensor:
+    """About how much of what a sample stands for is inside the outline around (x, y)."""
+    (wide, high), (r_x, r_y) = size, half_width
+    level = ((x / r_x).square() + (y / r_y).square()).clamp_min(_CENTRE).sqrt()
+    across = (x.abs() * wide / r_x**2 + y.abs() * high / r_y**2).clamp_min(_CENTRE)
+    return (0.5 + level * (1 - level) / across).clamp(0, 1)
+
 
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
 _MetLight = tuple[tuple[Array, Array], tuple[Array, Array, Array], Tensor]

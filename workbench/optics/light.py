@@ -36,18 +36,18 @@ def sum_of_lines(lights: Iterable[tuple[float, Light]]) -> Light:
 class Nodes(NamedTuple):
     """Where the corners of cells of light land, before they become an image."""
 
-    # (3, n, m), what `workbench.optics.beams.beam_image` takes, with columns and rows of the
+    # (3, n, m), what `workbench.optics.images.beams.beam_image` takes, with columns and rows of the
     # scene's screen; differentiable.
     hits: Tensor
     # The account of all light; what lands is light on the screen there, even if it lands beside it.
     account: Account
-    # (n, m), how far within the rim of the last face rays meet it, see `workbench.optics.rim`;
-    # where it may cut cells.
+    # (n, m), distance within the rim of the last face, see `workbench.optics.images.rim`; where it
+    # may cut cells.
     room: Tensor | None = None
 
 
 class BeamTracer(Protocol):
-    """Traces corners of cells of light through lens after lens; see `workbench.optics.beams`."""
+    """Traces corners of cells of light; see `workbench.optics.images.beams`."""
 
     @property
     def notes(self) -> list[str]:
@@ -61,7 +61,7 @@ class BeamTracer(Protocol):
 
     @property
     def splits(self) -> tuple[Array, Array]:
-        """What `workbench.optics.beams.beam_image` takes."""
+        """What `workbench.optics.images.beams.beam_image` takes."""
         ...
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:

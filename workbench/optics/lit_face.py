@@ -1,10 +1,9 @@
-"""Light of origins at a tensor grid of samples of the first freeform face: it starts there.
+"""Light of origins at a grid of samples of the first freeform face.
 
-Rays through a plane before the face would search for it, and would miss what comes in over its rim.
-On a tensor grid of samples height and slopes are small matrix products, and what each origin of the
-light sends there follows from the place alone: a sample stands for the part of the face around it,
-and takes in more or less light than a plane across the axis, as the face leans to the light or not.
-A part is lit as far as its light comes through the aperture, see `workbench.optics.aperture`.
+On a tensor grid of samples height and slopes are small matrix products, and the light of each
+origin follows from the place alone. A sample stands for the part of the face around it, which
+takes in more or less light as the face leans. A part is lit as far as its light comes through the
+aperture, see `workbench.optics.glass_face`.
 """
 
 from typing import NamedTuple
@@ -15,13 +14,12 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, GridBasis
-from workbench.optics.aperture import part_within, seen
-from workbench.optics.glass_face import LitSamples, side_by_side
+from workbench.optics.glass_face import LitSamples, part_within, seen, side_by_side
 from workbench.optics.path import Path
-from workbench.optics.patterns import Patterns, interpolated
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins
+from workbench.optics.sources.patterns import Patterns, interpolated
 from workbench.optics.surfaces import Meeting
 
 # Light that is narrower than this in the aperture, over what it is at a sample, is all or nothing.
@@ -41,8 +39,7 @@ class LitFace:
 
     `net`: where its control heights sit; `level`: z of the scene that heights are counted from;
     `lines`: samples along x and y; `origins`: where the light comes from; `path`: the path of the
-    light; `patterns`: see `workbench.optics.patterns.tabulated`, by the places in the plane of
-    ``level``.
+    light; `patterns`: see `tabulated`, by the places in the plane of ``level``.
     """
 
     def __init__(

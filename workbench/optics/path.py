@@ -15,9 +15,8 @@ from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, nets_of
-from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Passed
-from workbench.optics.rays import RayBundle, Vector, place_seen, seen
+from workbench.optics.rays import Arrival, RayBundle, Vector, place_seen, seen
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of

@@ -1,6 +1,7 @@
-"""Whole paths of a few rays, for people to look at."""
+"""Paths of rays for drawings, and where rays are totally reflected."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,8 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
+from workbench.powers import written
+from workbench.said import Said
 from workbench.scene import Element, Scene
 
 
@@ -54,3 +57,68 @@ def _grid(optic: Element, count: tuple[int, int]) -> tuple[Array, Array]:
     u, v = ((np.arange(m) + 0.5) / m * 2 - 1 for m in count)
     x, y = outline_of(optic).from_square(u[:, None], v)
     return x.ravel(), y.ravel()
+
+
+_NAME = "total_reflection"  # in the light account
+_CELLS = 16  # along each axis, of which the brightest is named
+
+
+@dataclass(frozen=True, eq=False)
+class TotalReflection:
+    """Light that cannot leave through a face."""
+
+    places: Array  # (n, 3), where each of its rays meets the face, scene units
+    flux: Array  # (n,), what each of them carries, as a part of the light of the source
+
+    @property
+    def share(self) -> float:
+        """How much of the light of the source it is."""
+        return float(self.flux.sum())
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """The x and y about which there is most of it.
+
+        That of all of it would be in the middle of the lens where the whole rim reflects.
+        """
+        x, y = self.places[:, 0], self.places[:, 1]
+        low, width = self.places.min(axis=0), np.ptp(self.places, axis=0)
+        cell = ((self.places - low) / np.where(width > 0, width, 1.0) * _CELLS).astype(int)
+        number = cell[:, 0].clip(0, _CELLS - 1) * _CELLS + cell[:, 1].clip(0, _CELLS - 1)
+        here = number == np.bincount(number, self.flux).argmax()
+        return (
+            float(np.average(x[here], weights=self.flux[here])),
+            float(np.average(y[here], weights=self.flux[here])),
+        )
+
+    def sentence(self, scene: Scene) -> Said:
+        """How much it is, and where there is most of it."""
+        x, y = self.middle
+        return Said(
+            "{part} % of the light is totally reflected at the {face}, most of it around "
+            "x = {x}, y = {y}",
+            part=written(100 * self.share, digits=2),
+            face=Said(scene.optic.face_called),
+            x=written(x, scene.unit, 3),
+            y=written(y, scene.unit, 3),
+        )
+
+
+def total_reflection(scene: Scene, heights: Mapping[str, Array]) -> TotalReflection | None:
+    """Where light of an optic is totally reflected; None if none is.
+
+    `scene`: the scene, whose source gives the rays; `heights` (n_u, n_v).
+    """
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
+    tensors = {face: torch.tensor(each) for face, each in heights.items()}
+    places, flux = [np.zeros((0, 3))], [np.zeros(0)]
+    with torch.no_grad():
+        for passage in path.passages(tensors):
+            lost = passage.passed.lost.get(_NAME)
+            if lost is not None:
+                here = lost > 0
+                place = path.places_at(passage)
+                places.append(torch.stack([c.expand(here.shape)[here] for c in place], -1).numpy())
+                flux.append(lost[here].numpy())
+    found = TotalReflection(np.concatenate(places), np.concatenate(flux))
+    return found if len(found.flux) else None

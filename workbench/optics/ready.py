@@ -1,15 +1,10 @@
 """Which kernels are compiled, and compiling them before they are needed.
 
-`workbench.compiled` keeps them on disk; the first time, each takes some seconds. A window lets a
-thread of its own get them ready (`compile_all`).
-
-1. A run waits for its kernel, whoever compiles it, and never begins with the reference: a seed
-   gives the same lens whether kernels were compiled before or not. Waiting is also the faster way:
-   all of them take half a minute, a run on the reference takes some ten times that of the kernels.
-2. What only shows a lens does not wait (`without_waiting`): a person sees it at once, traced by the
-   reference as long as its kernel is not ready.
-3. A kernel that cannot be compiled is tried once. The reference then does all its work, `failure`
-   says why, and so does the log of each run.
+1. A run waits for its kernel, whoever compiles it: a seed gives the same lens whether kernels were
+   compiled before or not. All kernels take half a minute, a run in torch ten times its usual time.
+2. What only shows a lens does not wait (`without_waiting`): torch traces it meanwhile.
+3. A kernel that cannot be compiled is tried once. Then torch traces, and `failure` and the log of
+   each run give the reason.
 """
 
 import threading

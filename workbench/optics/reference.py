@@ -10,10 +10,10 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.optics.account import Account
-from workbench.optics.arrival import Arrival
-from workbench.optics.irradiance import reconstruct
+from workbench.optics.images import reconstruct
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
+from workbench.optics.rays import Arrival
 from workbench.optics.sampled import SampledTrain, SampledWalk, is_even
 from workbench.optics.sources import Emitter
 from workbench.scene import Filter

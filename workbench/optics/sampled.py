@@ -18,17 +18,16 @@ from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
-from workbench.optics.arrival import Arrival
 from workbench.optics.fixed_faces import Followed, follow, pass_face, through_aperture
 from workbench.optics.glass_face import Glass, GlassFace
 from workbench.optics.interfaces import Refraction
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
-from workbench.optics.patterns import Patterns, tabulated
-from workbench.optics.rays import Vector, seen
+from workbench.optics.rays import Arrival, Vector, seen
 from workbench.optics.samples import Corners, Places, Samples, areas_of, places, splits_side_by_side
 from workbench.optics.sources import CollimatedEmitter, PointEmitter
 from workbench.optics.sources.origins import Origins
+from workbench.optics.sources.patterns import Patterns, tabulated
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Plane
 from workbench.said import Said

@@ -55,7 +55,7 @@ EVERYWHERE = Crowd()
 
 
 class Corners(NamedTuple):
-    """One ray at each corner of so many cells along x and y; see `workbench.optics.beams`."""
+    """One ray at each corner of cells along x and y; see `workbench.optics.images.beams`."""
 
     # Cells.
     x: int
@@ -64,7 +64,7 @@ class Corners(NamedTuple):
     origins: int = 1
     # Cells along x and y of a source of some size, at whose corners these origins lie; all see the
     # same corners of the aperture. 0 where origins lie elsewhere. See
-    # `workbench.optics.source_beams`.
+    # `workbench.optics.images.source_beams`.
     source_x: int = 0
     source_y: int = 0
     # Where the corners lie along x and y.

@@ -14,9 +14,8 @@ from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.optics.interfaces import Interface, Reflection, Refraction
+from workbench.optics.interfaces import Interface, Reflection, Refraction, TransmittanceLaw
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import (
     ConicFace,
     Diffuser,

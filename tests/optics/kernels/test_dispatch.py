@@ -8,7 +8,8 @@ import pytest
 import torch
 
 from workbench import compiled
-from workbench.optics import ready, tracers
+from workbench.optics import plan as plans
+from workbench.optics import ready
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface
@@ -157,7 +158,7 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
 
     scene = make_scene(source)
     plan = Plan(scene, samples=samples)
-    monkeypatch.setattr(tracers, "Reference", refuse)
+    monkeypatch.setattr(plans, "Reference", refuse)
     monkeypatch.setattr(BSplineSurface, "meet", refuse)
     assert plan.trace({"lens.back": lens(scene)}).account.on_screen > 0
     plan.next_iteration()

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.optics.landing import image_at
-from workbench.optics.irradiance import _taps
+from workbench.optics.images import _taps
 from workbench.optics.kernels.spread import (
     BATCH,
     add_up,

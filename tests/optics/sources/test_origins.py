@@ -9,11 +9,11 @@ import torch
 from tests.optics.points import GRID, POINT
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.entering import entering
+from workbench.optics.interfaces import TransmittanceLaw
 from workbench.optics.samples import Corners, Crowd, places, places_of_points
 from workbench.optics.sources import emitter_of
+from workbench.optics.sources.emission import entering
 from workbench.optics.sources.origins import Origins, through_cells
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 NODE, WEIGHT = np.polynomial.legendre.leggauss(60)

@@ -13,13 +13,13 @@ from tests.optics.kernels.twins import lens
 from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.beams import beam_image
-from workbench.optics.halves import halved
+from workbench.optics.images.beams import beam_image
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
 from workbench.optics.train.compiled import CompiledTrain
+from workbench.optics.train.incident import halved
 from workbench.scene import Scene
 
 

@@ -7,14 +7,13 @@ import torch
 from tests.optics.kernels.twins import lens
 from tests.optics.train.test_behind_glass import Light, from_far, from_near
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Reflection, Refraction
+from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane
 from workbench.optics.train.compiled import CompiledTrain
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 LIGHTS = {

@@ -12,7 +12,7 @@ from tests.optics.train.test_elements import landed
 from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
-from workbench.optics.interfaces import Refraction
+from workbench.optics.interfaces import Refraction, TransmittanceLaw
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
@@ -20,7 +20,6 @@ from workbench.optics.sources import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Conic, Plane
 from workbench.optics.train.compiled import CompiledTrain
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import GaussianFilter, Scene
 
 INDEX = 1.6

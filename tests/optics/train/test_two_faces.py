@@ -16,8 +16,8 @@ from tests.optics.train.test_behind_glass import (
 )
 from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
-from workbench.optics.beams import beam_image
-from workbench.optics.interfaces import Refraction
+from workbench.optics.images.beams import beam_image
+from workbench.optics.interfaces import Refraction, TransmittanceLaw
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
@@ -25,7 +25,6 @@ from workbench.optics.sources import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.train.compiled import CompiledTrain
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
 

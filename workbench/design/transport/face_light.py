@@ -10,11 +10,11 @@ from workbench.design.transport.between import Pair
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import FlatGlass
+from workbench.optics.interfaces import TransmittanceLaw
 from workbench.optics.path import Path
-from workbench.optics.precision import precision_of
+from workbench.optics.plan import precision_of
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
-from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import ExactMethod, PointSource, Scene
 
 # Light that leaves a face changes little from one of these cells to the next: each stands for so

@@ -17,12 +17,12 @@ from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.meeting import met
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import RIM
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.sources import emitter_of
 from workbench.optics.sources.origins import through_cells
 from workbench.optics.surfaces import Meeting
+from workbench.optics.surfaces.intersection import RIM
 from workbench.scene import Scene
 
 Vector = tuple[Array, Array, Array]

@@ -20,7 +20,7 @@ from workbench.design.transport.both_faces import BothFaces, Vector, unit
 from workbench.design.transport.two_face_light import LightInLens, to_arrays, to_tensors
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.faces import NO_FACES
-from workbench.optics.refraction import refract
+from workbench.optics.interfaces import refract
 from workbench.scene import Scene, WantedImage
 
 # Faces in each round of transport.

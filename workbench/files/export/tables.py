@@ -21,9 +21,8 @@ from workbench import __version__
 from workbench.arrays import Array, Mask
 from workbench.files.export.design import Design, Deviation
 from workbench.measured.rays.tm25 import HEADER, VERSION
-from workbench.optics.arrival import Arrival
 from workbench.optics.path import Path
-from workbench.optics.rays import Vector
+from workbench.optics.rays import Arrival, Vector
 
 _ROWS_AT_ONCE = 1 << 16  # limits the memory for text
 _UNIT_FLAG = {"mm": 0, "cm": 1, "inch": 2, "m": 3}

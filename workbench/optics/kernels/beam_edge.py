@@ -1,9 +1,8 @@
-"""What one edge of a beam of light adds to the pixels that it crosses; and the adjoint.
+"""What one edge of a beam adds to the pixels that it crosses; and the adjoint.
 
-See `workbench.optics.kernels.beam_raster`. Most edges are in one pixel, and most others in two or
-three: these need no loop. Of a longer one that is wholly on the image, the pixels at both ends tell
-how often it crosses into the next column or row: its loop has no branch but its end. Where these
-are many (*LED to a rectangle* by 64 origins, 256 × 256 samples and pixels) this saves a fifth.
+Most edges are in one to three pixels and need no loop. Of a longer edge wholly on the image, the
+pixels at both ends give the number of crossings, so its loop has no branch but its end. This saves
+a fifth where such edges are many. See `workbench.optics.kernels.beam_raster`.
 """
 
 import numpy as np

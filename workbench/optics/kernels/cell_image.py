@@ -1,7 +1,7 @@
 """The image of cells of light between rays as a step that torch differentiates.
 
-Beams and boxes draw cells, each in its own way; see `workbench.optics.beams` and
-`workbench.optics.boxes`.
+Beams and boxes draw cells, each in its own way; see `workbench.optics.images.beams` and
+`workbench.optics.images.beams`.
 """
 
 from collections.abc import Callable

@@ -1,17 +1,17 @@
-"""Where a batch of rays meets a B-spline face, `optics.intersection`'s twin.
+"""Where a batch of rays meets a B-spline face, as `workbench.optics.surfaces.intersection`.
 
 Where f(t) = Z(x(t), y(t)) − z_in − t can only fall, all rays of a batch take steps of Newton's
-method together, from the roots of the last lens, until the last one rests; few do not after some
-steps and go on alone, safeguarded. Rays with several roots go alone from the start: they walk up
-to the first, in steps proven not to pass it. Rays that come in over the rim behind the face there,
-and rays that are nowhere over it, do not meet it. Bounds, tolerances and results are the
-reference's.
+method together, from the roots of the last lens. The few that do not rest after some steps go on
+alone, safeguarded. Rays with several roots go alone from the start: they walk up to the first root
+in steps proven not to pass it. Bounds, tolerances and results are those of the reference.
 """
 
 import math
 
 import numpy as np
+import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.kernels.patches import (
     BUSY,
@@ -23,6 +23,7 @@ from workbench.optics.kernels.patches import (
     STATE,
     Z_S,
     Z_T,
+    Net,
     X,
     Y,
     Z,
@@ -253,3 +254,48 @@ def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
             depth = min(depth + step, high)
     w[at(DEPTH, ray)] = depth
     w[at(STATE, ray)] = kind(state)
+
+
+# Cells of the order are at least so many along each axis, so that rays of a large patch that
+# follow each other light the same part of the receiver.
+_CELLS = 64
+
+
+def order_of(net: Net, rays: AnyArray, depths: AnyArray) -> npt.NDArray[np.int64]:
+    """Numbers of rays, cell by cell of a face.
+
+    `net`: the control net of the face; `rays` (6, rays): see
+    `workbench.optics.train.numbers.GivenRays`; `depths` (rays,): where they met it; infinite for
+    those that did not.
+    """
+    finer_x, finer_y = (-(-_CELLS // spans) for spans in net.spans)
+    order: npt.NDArray[np.int64] = _order(net, finer_x, finer_y, rays, depths)
+    return order
+
+
+@jit(error_model="numpy")
+def _order(net, finer_x, finer_y, rays, depths):  # type: ignore[no-untyped-def]
+    """By counting how many are in each cell."""
+    cells_x, cells_y = net.spans[0] * finer_x, net.spans[1] * finer_y
+    count = rays.shape[1]
+    cells = np.empty(count, np.int32)
+    ends = np.zeros(cells_x * cells_y + 1, np.int64)
+    for ray in range(count):
+        slope_x, slope_y = rays[3, ray], rays[4, ray]
+        x, y = rays[0, ray] - slope_x * rays[2, ray], rays[1, ray] - slope_y * rays[2, ray]
+        depth = min(depths[ray], depths_of_side(net, x, y, slope_x, slope_y)[1])
+        if depth < np.inf:
+            x, y = x + slope_x * depth, y + slope_y * depth
+        u = (x + net.half_x) * net.per_x * finer_x
+        v = (y + net.half_y) * net.per_y * finer_y
+        cell = int(span_of(u, cells_x - 1)) * cells_y + int(span_of(v, cells_y - 1))
+        cells[ray] = cell
+        ends[cell + 1] += 1
+    for cell in range(cells_x * cells_y):
+        ends[cell + 1] += ends[cell]
+    order = np.empty(count, np.int64)
+    for ray in range(count):
+        cell = cells[ray]
+        order[ends[cell]] = ray
+        ends[cell] += 1
+    return order

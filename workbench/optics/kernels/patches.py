@@ -1,4 +1,4 @@
-"""Patches of B-spline faces for batches of rays, `geometry.patches`' twin.
+"""Patches of B-spline faces for batches of rays.
 
 Each ray of a batch has the coefficients of its patch in a column of its own, where the steps of
 Newton's method find them without an index. Rays are kept sorted by patch, so that a column is one
@@ -15,9 +15,9 @@ import numpy as np
 
 from workbench.compiled import jit
 from workbench.geometry.surface import ControlNet
-from workbench.optics.intersection import RIM
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.surfaces.intersection import RIM
 
 # Where runs are shorter than this, coefficients are better looked up ray by ray.
 _SHORT_RUN = 10
@@ -41,7 +41,7 @@ class Net(NamedTuple):
     # Half-widths of the aperture.
     half_x: np.floating[Any]
     half_y: np.floating[Any]
-    # How far from the axis rays meet the face: see `workbench.optics.intersection.RIM`.
+    # How far from the axis rays meet the face: see `workbench.optics.surfaces.intersection.RIM`.
     rim_x: np.floating[Any]
     rim_y: np.floating[Any]
     # Knot spans per unit of length.

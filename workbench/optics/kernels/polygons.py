@@ -1,6 +1,6 @@
 """The image of some polygons of even light, for torch.
 
-The twin of `workbench.optics.beam_reference.drawn`. Polygons are cells that a rim cuts: so few that
+The twin of `workbench.optics.images.beams.drawn`. Polygons are cells that a rim cuts: so few that
 one thread draws them sooner than several would begin.
 """
 
@@ -20,7 +20,7 @@ from workbench.optics.kernels.beam_raster import ROUNDING
 def compiled_drawn(
     x: Tensor, y: Tensor, density: Tensor, pixels: tuple[int, int], landed: float
 ) -> Tensor:
-    """As `workbench.optics.beam_reference.drawn`, on the CPU."""
+    """As `workbench.optics.images.beams.drawn`, on the CPU."""
     drawn: Tensor = _Image.apply(x, y, density, pixels, landed)  # type: ignore[no-untyped-call]
     return drawn
 

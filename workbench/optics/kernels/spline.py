@@ -11,11 +11,10 @@ from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels import threads
+from workbench.optics.kernels import kind_of, threads
 from workbench.optics.kernels.intersection import FALLS_BY
 from workbench.optics.kernels.patches import make_net
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.kernels.tensors import kind_of
 
 
 class Bounds(NamedTuple):

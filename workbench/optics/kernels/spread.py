@@ -1,4 +1,4 @@
-"""Spreads the light of rays over pixels, a batch of rays at a time; `irradiance`'s twin.
+"""The light of rays over pixels, a batch of rays at a time, as `workbench.optics.images`.
 
 A tracer fills ``column``, ``row`` and ``weight`` for up to ``BATCH`` rays, which then are in the
 first-level cache, and calls `scatter`; on the way back it fills the same again and calls `gather`,

@@ -1,10 +1,8 @@
-"""A small pool of threads for kernels that hold no lock of Python's.
+"""Threads for kernels that do not hold Python's lock.
 
-Kernels are plain loops over a part of the rays; each part has an accumulator of its own. Compared
-with numba's parallel loops this needs no threading layer, compiles sooner, and lets two threads of
-Python trace at once. How many parts there are depends on the work alone, never on the number of
-threads, and their accumulators are added in order: any number of threads gives the same result,
-bit by bit.
+Kernels are plain loops over a part of the rays, each part with an accumulator of its own. The
+number of parts depends on the work alone and the accumulators are added in order: any number of
+threads gives the same result, bit by bit.
 """
 
 from collections.abc import Callable

@@ -11,14 +11,12 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.area import AreaEmitter
 from workbench.optics.sources.collimated import CollimatedEmitter
 from workbench.optics.sources.crowding import where_lit
-from workbench.optics.sources.directions import DirectionEmitter
+from workbench.optics.sources.extended import AreaEmitter, DirectionEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.photometric import PhotometricEmitter
-from workbench.optics.sources.points import PointEmitter
-from workbench.optics.sources.ray_file import RayFileEmitter
+from workbench.optics.sources.points import PointEmitter, RayFileEmitter
 from workbench.scene import (
     AreaSource,
     CollimatedSource,

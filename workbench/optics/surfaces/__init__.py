@@ -1,8 +1,7 @@
 """Where rays meet a face: one file a kind."""
 
 from workbench.optics.surfaces.bspline import BSplineSurface
-from workbench.optics.surfaces.conic import Conic
-from workbench.optics.surfaces.plane import Plane
-from workbench.optics.surfaces.surface import Meeting, Surface
+from workbench.optics.surfaces.sag import Conic
+from workbench.optics.surfaces.surface import Meeting, Plane, Surface
 
 __all__ = ["BSplineSurface", "Conic", "Meeting", "Plane", "Surface"]

@@ -10,9 +10,9 @@ from torch import Tensor
 from workbench.geometry.outlines import Outline, Rectangle
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet, GridBasis
-from workbench.optics.intersection import RIM, Bundle, ExactIntersection, Met
-from workbench.optics.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.rays import RayBundle
+from workbench.optics.surfaces.intersection import RIM, Bundle, ExactIntersection, Met
+from workbench.optics.surfaces.mesh import MeshIntersection, TriangleMesh
 from workbench.optics.surfaces.surface import Meeting
 
 

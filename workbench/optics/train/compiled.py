@@ -19,9 +19,8 @@ from workbench.arrays import AnyArray, Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.interfaces import Reflection, Refraction
-from workbench.optics.kernels import threads
+from workbench.optics.kernels import as_array, check_size, threads
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
-from workbench.optics.kernels.tensors import as_array, check_size
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.samples import Corners

@@ -31,8 +31,13 @@ from workbench.optics.kernels.patches import (
 from workbench.optics.kernels.patches import (
     FLUX as ARRIVING,
 )
+from workbench.optics.kernels.refraction import (
+    snell,
+    snell_back,
+    transmittance,
+    transmittance_slopes,
+)
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 from workbench.optics.train.first_face import NO_RAY
 from workbench.optics.train.registers import (
     ABSORBS,
@@ -66,7 +71,6 @@ from workbench.optics.train.registers import (
     START,
     total,
 )
-from workbench.optics.train.snell import snell, snell_back
 
 # A ray goes on to +z if it goes at least so far up.
 _ONWARD = 1e-6
@@ -194,7 +198,7 @@ def _radius(element, x, y):  # type: ignore[no-untyped-def]
 def _at_face(element, pair, lane):  # type: ignore[no-untyped-def]
     """Place on the face, slopes there, whether it is met, and its distance to the rim.
 
-    See `workbench.optics.rim`.
+    See `workbench.optics.images.rim`.
     """
     kind = pair.dtype.type
     a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]

@@ -8,11 +8,10 @@ import torch
 
 from workbench.arrays import AnyArray, Array
 from workbench.geometry.frames import Frame
-from workbench.optics.halves import Halves, halved, is_on_axis
+from workbench.optics.kernels import kind_of
 from workbench.optics.kernels.grid import Axis, make_axis
-from workbench.optics.kernels.order import order_of
+from workbench.optics.kernels.intersection import order_of
 from workbench.optics.kernels.patches import make_net
-from workbench.optics.kernels.tensors import kind_of
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.sampled import SampledTrain, is_even
@@ -22,10 +21,13 @@ from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.train.faces import first_face
 from workbench.optics.train.first_face import NO_RAY
 from workbench.optics.train.incident import (
+    Halves,
     NewtonSteps,
     Samples,
     given_light,
+    halved,
     incident_light,
+    is_on_axis,
     no_samples,
     sample_lines,
 )

@@ -12,15 +12,14 @@ from workbench.arrays import AnyArray
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.optics.fixed_faces import beyond_rim
-from workbench.optics.interfaces import Reflection, Refraction
-from workbench.optics.intersection import RIM
+from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw
+from workbench.optics.kernels import kind_of
 from workbench.optics.kernels.spline import Face, heights_cotangent, make_table
-from workbench.optics.kernels.tensors import kind_of
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
+from workbench.optics.surfaces.intersection import RIM
 from workbench.optics.train.first_face import REFLECTS, REFRACTS, REFRACTS_STRAIGHT
 from workbench.optics.train.numbers import ASPHERE, BSPLINE, CONIC, Elements, FirstFace
-from workbench.optics.transmittance import TransmittanceLaw
 
 # No slope of light between two faces is larger.
 _STEEPEST = 1e9

@@ -1,14 +1,19 @@
 """The first face of a compiled train: what it does to the light at samples of it, and the adjoint.
 
-Directions and Snell's law are those of `workbench.optics.train.snell`. The flux of a sample is that
-of a level one times m = 1 − s·∇z, as the face leans to the light or away from it.
+Directions and Snell's law are those of `workbench.optics.kernels.refraction`. The flux of a sample
+is that of a level one times m = 1 − s·∇z, as the face leans to the light or away from it.
 """
 
 import numpy as np
 
 from workbench.compiled import jit
+from workbench.optics.kernels.refraction import (
+    snell,
+    snell_back,
+    transmittance,
+    transmittance_slopes,
+)
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 from workbench.optics.train.registers import (
     ABSORBED,
     ABSORBS,
@@ -41,7 +46,6 @@ from workbench.optics.train.registers import (
     Q,
     total,
 )
-from workbench.optics.train.snell import snell, snell_back
 
 # Flux of a ray that does not exist. One without flux may exist: where it arrives bounds the light
 # of its neighbours.

@@ -1,21 +1,20 @@
-"""Light in the glass at samples of the exit face: slopes, flux, and how both go with the depth.
+"""Light in the glass at samples of the exit face: slopes, flux, and their derivatives by the depth.
 
 All that a sample's light in the glass depends on is its depth t below the entrance face, so the
-derivatives by it are taken on the way, and the way back is three products.
+derivatives by it are computed at once, and the adjoint is three products.
 
-Light from infinitely far goes along one slope s everywhere: what is seen of a sample's part of the
-face through the entrance face is its part shifted by −s t. Light of points is that of
-`workbench.optics.glass`: with ρ the sample's distance from its point's axis and p = ρ_e / ρ, the
-slope is p g away, and what is seen is the sample's part narrowed by p.
+Light from infinitely far has one slope s everywhere: through the entrance face a sample's part of
+the exit face is seen shifted by −s t. For light of points see `workbench.optics.glass`: with ρ the
+sample's distance from its point's axis and p = ρ_e / ρ, the slope is p g, and the sample's part is
+seen narrowed by p.
 """
 
 import numpy as np
 
 from workbench.compiled import jit
+from workbench.optics.kernels.refraction import transmittance, transmittance_slopes
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
-from workbench.optics.train.outlines import held
-from workbench.optics.train.patterns import weigh
+from workbench.optics.train.free_light import held, weigh
 from workbench.optics.train.registers import (
     ABSORBED,
     BRIGHT,

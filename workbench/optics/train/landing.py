@@ -8,8 +8,7 @@ from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.geometry.frames import Frame
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.receivers import Receiver
-from workbench.optics.receivers.receiver import ACROSS
+from workbench.optics.receivers import ACROSS, Receiver
 from workbench.optics.train.registers import (
     COLUMN,
     D_COLUMN,

@@ -1,11 +1,10 @@
-"""Light of one origin at a batch of samples of the first face, whatever its kind."""
+"""Light at a batch of samples of the first face, or given rays on their way to it."""
 
 import numpy as np
 
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
-from workbench.optics.train.aperture import stop
-from workbench.optics.train.free_light import from_far, from_near
+from workbench.optics.train.free_light import from_far, from_near, stop
 from workbench.optics.train.glass_light import from_point, from_sky
 from workbench.optics.train.numbers import EVEN, FAR, POINTS, SKY
 from workbench.optics.train.registers import (
@@ -14,8 +13,37 @@ from workbench.optics.train.registers import (
     BY_Z_X,
     BY_Z_Y,
     D_BRIGHT,
+    FLUX,
+    O_X,
+    O_Y,
+    O_Z,
+    P_X,
+    P_Y,
+    P_Z,
+    RIM,
     Z,
 )
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def begin_given(given, row, i, lanes, t):  # type: ignore[no-untyped-def]
+    """Load rays of a row, from column ``i`` on, into the registers of the first face."""
+    one = t.dtype.type(1)
+    x, y, z = given.values[0, row, i:], given.values[1, row, i:], given.values[2, row, i:]
+    a, b, flux = given.values[3, row, i:], given.values[4, row, i:], given.values[5, row, i:]
+    for lane in range(np.uintp(lanes)):
+        t[P_X + lane] = x[lane]
+        t[P_Y + lane] = y[lane]
+        t[P_Z + lane] = z[lane]
+    for lane in range(np.uintp(lanes)):
+        t[O_X + lane] = a[lane]
+        t[O_Y + lane] = b[lane]
+        t[O_Z + lane] = one
+        t[FLUX + lane] = flux[lane]
+    if len(given.rims):
+        rim = given.rims[row, i:]
+        for lane in range(np.uintp(lanes)):
+            t[RIM + lane] = rim[lane]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")

@@ -26,9 +26,8 @@ from workbench.optics.train.elements import (
     transfer_back,
 )
 from workbench.optics.train.first_face import pass_first, pass_first_back
-from workbench.optics.train.given import begin_given
 from workbench.optics.train.landing import receive, receive_back
-from workbench.optics.train.light import shine
+from workbench.optics.train.light import begin_given, shine
 from workbench.optics.train.meeting import face_back, search, search_again
 from workbench.optics.train.numbers import LINES, element_of
 from workbench.optics.train.registers import (

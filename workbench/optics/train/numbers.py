@@ -7,11 +7,10 @@ import numpy.typing as npt
 
 from workbench.arrays import AnyArray
 from workbench.compiled import jit
+from workbench.optics.interfaces import TransmittanceLaw
 from workbench.optics.kernels.patches import Net
 from workbench.optics.kernels.spline import Bounds
-from workbench.optics.train.aperture import Aperture
-from workbench.optics.train.free_light import FarLight, NearLight
-from workbench.optics.transmittance import TransmittanceLaw
+from workbench.optics.train.free_light import Aperture, FarLight, NearLight
 
 Number = np.floating[Any]
 
@@ -62,8 +61,8 @@ class Points(NamedTuple):
     apparent: Number
     distance2: Number
     lambert: Number  # 1 for Lambertian points, else 0
-    # (k or 0, n, n), see `workbench.optics.patterns.tabulated`; none where intensity is even or
-    # Lambertian.
+    # (k or 0, n, n), see `workbench.optics.sources.patterns.tabulated`; none where intensity is
+    # even or Lambertian.
     patterns: AnyArray
     # Steps between values of the patterns for each length.
     per_x: Number
@@ -201,8 +200,8 @@ class Element(NamedTuple):
     # One by the squares of half-widths or semi-axes.
     by_x2: Number
     by_y2: Number
-    rim: Number  # `workbench.optics.intersection.RIM`
-    beyond: Number  # `workbench.optics.sampled.beyond_rim` of a face behind samples
+    rim: Number  # `workbench.optics.surfaces.intersection.RIM`
+    beyond: Number  # `workbench.optics.fixed_faces.beyond_rim` of a face behind samples
     # One by the squares of semi-axes of the outline of samples.
     first_x2: Number
     first_y2: Number

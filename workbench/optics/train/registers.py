@@ -22,7 +22,7 @@ S_X, S_Y, BRIGHT, ABSORBED, D_S_X, D_S_Y, D_BRIGHT = (np.uintp(BATCH * k) for k 
 # 1 over the distance to a point along z; width of the light in the aperture over that at the
 # sample; derivatives of the flux by the slopes of the face.
 BY_WAY, NARROWED, BY_Z_X, BY_Z_Y = (np.uintp(BATCH * k) for k in range(16, 20))
-# Q and Γ of `workbench.optics.train.snell`.
+# Q and Γ of `workbench.optics.kernels.refraction`.
 Q, GAMMA = (np.uintp(BATCH * k) for k in range(20, 22))
 # Sums over origins of the cotangents of height and slopes.
 SUM_Z, SUM_Z_X, SUM_Z_Y = (np.uintp(BATCH * k) for k in range(22, 25))

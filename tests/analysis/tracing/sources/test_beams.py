@@ -10,8 +10,8 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.validation import validate
-from workbench.optics.cap import covering_caps
 from workbench.optics.plan import Plan
+from workbench.optics.sources.emission import covering_caps
 
 SUN = {"kind": "collimated", "angular_diameter": 6.0}
 

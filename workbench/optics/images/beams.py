@@ -1,21 +1,34 @@
-"""The image of beams of light in plain torch: the twin of `workbench.optics.kernels.beam_image`.
+"""Images of light whose rays are nodes of a grid, by beams or by boxes; the references in torch.
 
-Slow, on any device, and differentiated by torch. Edges are cut where they cross borders of pixels;
-see `workbench.optics.kernels.beam_raster` for what each piece adds.
+Beams: the beam between four neighbouring rays is split into two triangles of equal flux. Each
+spreads its flux evenly over the area between its three hits. Neighbours share their hits, so the
+image has neither gaps nor noise and is exact in each pixel. 9 beams a pixel are 0.1 to 0.3 % off;
+36 points a pixel under a filter are 1.5 to 3 % off.
+
+Boxes: an extended source stands as many origins, whose images are added up. There a rectangle
+along rows and columns of pixels replaces each beam: with the same middle, flux and variance along
+both axes, (a_x² + b_x²) / 12 along columns, where a and b join the middles of opposite sides of
+the cell. With 64 origins boxes differ from beams by 0.4 to 0.9 % of the light, and take a third of
+the time.
+
+The compiled twins are `workbench.optics.kernels.beam_image` and `box_image` beside it.
 """
 
 import torch
 from torch import Tensor
 
-from workbench.optics.kernels.beam_image import repeated
+from workbench.optics import ready
+from workbench.optics.kernels.beam_image import compiled_beam_image, repeated
 from workbench.optics.kernels.beam_raster import FARTHEST, ROUNDING, SLIVER
+from workbench.optics.kernels.box_image import compiled_box_image
+from workbench.optics.kernels.box_raster import NARROWEST
 from workbench.optics.kernels.cell_image import Splits
 
 
 def reference_beam_image(
     nodes: Tensor, pixels: tuple[int, int], splits: Splits
 ) -> tuple[Tensor, float]:
-    """As `workbench.optics.beams.beam_image`."""
+    """As `beam_image`."""
     n_x, n_y = pixels
     along_u, _ = _splits(nodes, splits)
     column, row = shifted_hits(nodes, splits)
@@ -42,7 +55,7 @@ def reference_beam_image(
 
 
 def shifted_hits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:
-    """Columns and rows of nodes in float64; see `workbench.optics.kernels.beam_nodes`."""
+    """Columns and rows of nodes in float64; see `workbench.optics.kernels.beam_image`."""
     each = _splits(nodes, splits)
     column, row = (_shifted(hits.double(), each) for hits in nodes[:2])
     return column, row
@@ -85,7 +98,7 @@ def _splits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:
 
 
 def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
-    """See `workbench.optics.kernels.beam_nodes`."""
+    """See `workbench.optics.kernels.beam_image`."""
     shift = torch.zeros_like(hits)
     for axis in (0, 1):
         lines, moved = hits.transpose(0, axis), shift.transpose(0, axis)
@@ -157,3 +170,85 @@ def _crossings(start: Tensor, to: Tensor, last: int) -> tuple[Tensor, Tensor]:
         before = torch.cat([count.new_zeros(1), count.cumsum(0)[:-1]])
         border = first[edge] + (torch.arange(len(edge), device=start.device) - before[edge])
     return edge, (border - start[edge]) / (to - start)[edge]
+
+
+_Sides = tuple[Tensor, Tensor, Tensor]
+"""Middles of cells along one axis of the image, and from side to side of them along it."""
+
+_End = tuple[Tensor, Tensor]
+"""Number of a pixel for each box, and what its interval adds from there on."""
+
+
+def reference_box_image(
+    nodes: Tensor, pixels: tuple[int, int], splits: Splits
+) -> tuple[Tensor, float]:
+    """As `box_image`."""
+    n_x, n_y = pixels
+    columns, rows = (_sides(hits) for hits in shifted_hits(nodes, splits))
+    flux = cell_flux(nodes, splits)
+    lands = torch.stack([*columns, *rows]).isfinite().all(0)
+    flux = flux[lands]
+    along_x, along_y = _ends(columns, lands, n_x), _ends(rows, lands, n_y)
+    steps = flux.new_zeros((n_y + 2) * (n_x + 2))
+    for i, part_y in along_y:
+        for j, part_x in along_x:
+            steps = steps.index_add(0, i * (n_x + 2) + j, flux * part_x * part_y)
+    image = steps.view(n_y + 2, n_x + 2).cumsum(0).cumsum(1)[:n_y, :n_x]
+    landed = flux.sum().item()
+    return torch.where(image < ROUNDING * landed, 0.0, image).to(nodes.dtype), landed
+
+
+def _sides(hits: Tensor) -> _Sides:
+    """What there is along one axis of the sides of cells."""
+    a, b, c, d = hits[:-1, :-1], hits[:-1, 1:], hits[1:, :-1], hits[1:, 1:]
+    return (a + b + c + d) / 4, (b + d - a - c) / 2, (c + d - a - b) / 2
+
+
+def _ends(sides: _Sides, lands: Tensor, last: int) -> list[_End]:
+    """What intervals of boxes add along an axis of so many pixels: sums of it are their parts."""
+    middle, along, across = (part[lands] for part in sides)
+    square = along.square() + across.square()
+    wide = square > NARROWEST**2
+    width = torch.where(wide, torch.where(wide, square, 1.0).sqrt(), NARROWEST)
+    ends: list[_End] = []
+    for sign in (1, -1):
+        place = (middle - sign * width / 2).clamp(0, last)
+        pixel = place.detach().floor()
+        part = place - pixel
+        ends += [
+            (pixel.long(), sign * (1 - part) / width),
+            (pixel.long() + 1, sign * part / width),
+        ]
+    return ends
+
+
+def beam_image(
+    nodes: Tensor, pixels: tuple[int, int], splits: Splits, fused: bool = True
+) -> tuple[Tensor, float]:
+    """Flux in each pixel of beams between rays.
+
+    `nodes` (3, n, m): columns and rows of the image in which rays hit, infinite for those that
+    never do; and their flux: a ray inside the grid stands for a cell around it, one at its rim for
+    a half or a quarter of one. Rays are neighbours in the grid as they are in the lens; `splits`
+    (m, 3) and (n, 3): which parts of the flux of a ray belong to the cells before and behind it,
+    along the last axis and along the one before; and 1 for rays between two cells of equal width.
+    Several grids may lie side by side: no flux belongs to the cells between them. Where there are
+    so many times as many rows of rays, all grids are alike; `pixels`: (n_x, n_y); `fused`: False
+    asks for the reference. Returns (n_y, n_x): flux in each pixel, row 0 at the top,
+    differentiable; and the flux of all beams whose rays hit the plane of the image, on it or beside
+    it.
+    """
+    compiled = fused and nodes.device.type == "cpu" and ready.obtain("beams", nodes.dtype)
+    return (compiled_beam_image if compiled else reference_beam_image)(nodes, pixels, splits)
+
+
+def box_image(
+    nodes: Tensor, pixels: tuple[int, int], splits: Splits, fused: bool = True
+) -> tuple[Tensor, float]:
+    """Flux in each pixel of boxes between rays.
+
+    Parameters and results are those of `beam_image`. A cell of which a ray
+    hits nowhere is dark.
+    """
+    compiled = fused and nodes.device.type == "cpu" and ready.obtain("boxes", nodes.dtype)
+    return (compiled_box_image if compiled else reference_box_image)(nodes, pixels, splits)

@@ -1,4 +1,4 @@
-"""Refraction of one ray at one face for compiled kernels, and its adjoint.
+"""Refraction of one ray at one face, its transmittance, and the adjoints; for compiled loops.
 
 Directions are scaled so that no unit vector is needed: light goes along (s_x, s_y, 1)/L,
 L² = 1 + s², and the face's normal is (−z_x, −z_y, 1)/S. With η the refractive index before the face
@@ -10,10 +10,72 @@ and the light goes on along o = (η s − Γ ∇z, η + Γ), as long as L; the c
 m / (L S) before it and Q / (L S) behind.
 """
 
+from typing import Any
+
 import numpy as np
 
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
+
+
+def fresnel(ratio: Any, cos_in: Any, cos_out: Any) -> Any:
+    """Part of unpolarised light that a bare face refracts; of tensors, arrays or numbers.
+
+    With η the ratio, 1 − r² of both polarisations is 4 η cos θ_i cos θ_t over a squared sum of
+    positive numbers: nothing cancels, and its slope is finite up to grazing incidence.
+    """
+    across = ratio * cos_in + cos_out
+    within = cos_in + ratio * cos_out
+    both = across * within
+    squares = across * across + within * within
+    return (ratio + ratio) * cos_in * cos_out * squares / (both * both)
+
+
+def schlick(one: Any, passing: Any, grazing: Any, cos: Any) -> Any:
+    """Schlick's approximation of `fresnel`, with 1 in the type of the others."""
+    off = one - cos
+    fourth = off * off * (off * off)
+    return passing * (one - grazing * fourth * off)
+
+
+_inlined = jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+_fresnel, _schlick = _inlined(fresnel), _inlined(schlick)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def transmittance(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
+    """Part of the light that is refracted, as `TransmittanceLaw.at`, without branches.
+
+    The law is in the kernel's float type. Cosines of light that is totally reflected are any
+    positive stand-ins.
+    """
+    one = type(cos_in)(1)
+    exact = _fresnel(law.ratio, cos_in, cos_out)
+    cos = cos_in if law.ratio < one else cos_out
+    return exact if law.exact else _schlick(one, law.passing, law.grazing, cos)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def transmittance_slopes(law, cos_in, cos_out):  # type: ignore[no-untyped-def]
+    """Derivatives of `transmittance` by both cosines, each as if the other were fixed.
+
+    Returns by ``cos_in`` and by ``cos_out``.
+    """
+    kind = type(cos_in)
+    one, two, zero = kind(1), kind(2), kind(0)
+    across = law.ratio * cos_in + cos_out
+    within = cos_in + law.ratio * cos_out
+    # Of cosines that grow together the transmittance stays the same: one factor for both slopes.
+    shared = (cos_out - law.ratio * cos_in) * (within * within * within)
+    shared += (law.ratio * cos_out - cos_in) * (across * across * across)
+    both = across * within
+    shared *= two * law.ratio / (both * both * both)
+    off = one - (cos_in if law.ratio < one else cos_out)
+    rise = kind(5) * law.passing * law.grazing * (off * off * (off * off))
+    rise_in = rise if law.ratio < one else zero
+    by_in = cos_out * shared if law.exact else rise_in
+    by_out = -cos_in * shared if law.exact else rise - rise_in
+    return by_in, by_out
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

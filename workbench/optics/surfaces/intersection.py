@@ -1,16 +1,16 @@
-"""Where rays meet a face.
+"""Where rays meet a B-spline face.
 
-Along a ray at depth t above z = 0, the entrance face or another datum, the face is met where
-f(t) = Z(x(t), y(t)) − t = 0. By the convex-hull property f is not negative where the ray
-is at the height of the lowest control point, and not positive at that of the highest, so the root
-is bracketed unless the ray leaves through the side before, or comes in over it later.
+Along a ray at depth t above z = 0 (the entrance face or another datum) the face is met where
+f(t) = Z(x(t), y(t)) − t = 0. By the convex-hull property f is not negative where the ray is at the
+height of the lowest control point, and not positive at that of the highest. So the root is
+bracketed, unless the ray leaves through the side before, or comes in over it later.
 
-*Exact*: where the slopes of face and ray say that f can only fall, Newton's method, safeguarded by
-the bracket, from the root of the last lens. Elsewhere f may have several roots, and the first
-counts: there the search walks up from below in steps that the bounds of f' and f'' prove not to
-pass a root. The gradient comes from the implicit function theorem, not through the iterations.
+Where the slopes of face and ray say that f can only fall: Newton's method, safeguarded by the
+bracket, from the root of the last lens. Elsewhere f may have several roots, and the first counts:
+the search walks up in steps that the bounds of f' and f'' prove not to pass a root. The gradient
+comes from the implicit function theorem.
 
-The triangle mesh of the paper is in `workbench.optics.mesh`, with the figures of both methods.
+`workbench.optics.surfaces.mesh` has the triangle mesh of the paper.
 """
 
 from typing import NamedTuple
