@@ -114,7 +114,7 @@ def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Direc
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.
 MARGINS = 0.05, 1.0
-# Time of a cell that is drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
+# Time of a cell drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
 # trace, image and gradients, with one freeform face and with two, of which the trace takes most.
 _OF_A_BOX = 0.3, 0.75
 

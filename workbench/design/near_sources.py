@@ -1,8 +1,8 @@
 """Samples along an axis of a lens, and the beams between the origins of a near source.
 
-See `workbench.optics.images.source_beams`. By beams between the samples of the lens for each origin, a run
-of two faces 7 mm before an LED sees 3.9 % where 7.3 % are verified; by beams between origins 4.5 %
-where 4.7 % are.
+See `workbench.optics.images.source_beams`. By beams between the samples of the lens for each
+origin, a run of two faces 7 mm before an LED sees 3.9 % where 7.3 % are verified; by beams between
+origins 4.5 % where 4.7 % are.
 """
 
 import math

@@ -21,9 +21,9 @@ from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.train.faces import first_face
 from workbench.optics.train.first_face import NO_RAY
 from workbench.optics.train.incident import (
+    FaceSamples,
     Halves,
     NewtonSteps,
-    Samples,
     given_light,
     halved,
     incident_light,
@@ -42,7 +42,7 @@ class Start(NamedTuple):
     """What the loops take of the rays of a trace."""
 
     # Heights and basis functions of a face that is sampled, its samples, and the light.
-    samples: tuple[AnyArray, tuple[Axis, ...], Samples, Light]
+    samples: tuple[AnyArray, tuple[Axis, ...], FaceSamples, Light]
     first: FirstFace  # that face
     # (elements, rows, columns), where the search for the faces begins; the trace changes it.
     depths: AnyArray

@@ -135,10 +135,10 @@ def is_on_axis(origins: Origins) -> bool:
 
 
 Kind = type[np.floating[Any]]
-Samples = tuple[SampleLine, SampleLine, OutlineNumbers]
+FaceSamples = tuple[SampleLine, SampleLine, OutlineNumbers]
 
 
-def sample_lines(train: SampledTrain, halves: Halves, kind: Kind) -> Samples:
+def sample_lines(train: SampledTrain, halves: Halves, kind: Kind) -> FaceSamples:
     """Samples along x and y, and the outline of the faces."""
     whole = train.outline.whole
     across, up = (
@@ -290,7 +290,7 @@ def given_light(values: AnyArray, rims: AnyArray) -> Light:
     return light._replace(kind=LINES, given=GivenRays(values, rims))
 
 
-def no_samples(kind: Kind) -> tuple[AnyArray, tuple[Axis, Axis], Samples]:
+def no_samples(kind: Kind) -> tuple[AnyArray, tuple[Axis, Axis], FaceSamples]:
     """Heights, basis and samples of a first face where none is sampled."""
     none, square = _none(kind), np.zeros((0, 0), kind)
     axis = Axis(np.zeros(0), np.zeros(0, np.uintp), square, square, none)
