@@ -37,15 +37,6 @@ _MICRO = 1e-3  # millimetres
 class Blur:
     """Image that one point of a lens makes of an extended source, in pixels of a receiver.
 
-    Attributes
-    ----------
-    widths : tuple[float, float]
-        Full widths along x and y, pixels.
-    shape : str
-        Uniform rectangle or ellipse of these widths.
-    points : tuple[int, int], optional
-        Instead of a uniform shape, points along x and y, the outer ones on its rim.
-
     Examples
     --------
     A sun 0.533° wide on a screen at 500 mm whose pixels are 0.78 mm wide:
@@ -57,8 +48,10 @@ class Blur:
     ((3, 3), 16)
     """
 
-    widths: tuple[float, float]
+    widths: tuple[float, float]  # full widths along x and y, pixels
+    # Uniform rectangle or ellipse of these widths.
     shape: Literal["rectangle", "ellipse"] = "rectangle"
+    # Instead of a uniform shape, points along x and y, the outer ones on its rim.
     points: tuple[int, int] | None = None
 
     @classmethod

@@ -13,16 +13,9 @@ class Blurring:
     Light lies on a periodic grid: the image (n_y, n_x) with twice the blur's margin on each side,
     so that light beside the image does not wrap around.
 
-    Attributes
-    ----------
-    grid : tuple[int, int]
-        Shape of the grid.
-    places : tuple of two slice
-        Part of the grid whose light may reach the image: (n_y + 2 m_y, n_x + 2 m_x).
-    seen : tuple of two slice
-        The image on the grid: (n_y, n_x).
-    kernels : ndarray, complex, shape (positions, ...)
-        The blur of each frequency.
+    `grid`: shape of the grid; `places`: part of the grid whose light may reach the image: (n_y + 2
+    m_y, n_x + 2 m_x); `seen`: the image on the grid: (n_y, n_x); `kernels` (positions, ...): the
+    blur of each frequency.
     """
 
     def __init__(self, kernels: Array, shape: tuple[int, int]) -> None:

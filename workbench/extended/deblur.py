@@ -53,25 +53,14 @@ _LEAST_SHARE = 1e-4
 
 
 class Deblurred(NamedTuple):
-    """The light that is closest to a target, and its lower bound.
+    """The light that is closest to a target, and its lower bound."""
 
-    Attributes
-    ----------
-    light : ndarray, shape (n_y + 2 m_y, n_x + 2 m_x)
-        Flux of light before it is blurred, in pixels of the receiver and of the blur's margin; a
-        flux of 1 reaches the receiver.
-    image : ndarray, shape (n_y, n_x)
-        Its blurred image, with a sum of 1.
-    error : float
-        Relative L2 error of this image.
-    bound : float
-        Certified lower bound of the error of blurred light.
-    """
-
+    # (n_y + 2 m_y, n_x + 2 m_x), flux of light before it is blurred, in pixels of the receiver and
+    # of the blur's margin; a flux of 1 reaches the receiver.
     light: Array
-    image: Array
-    error: float
-    bound: float
+    image: Array  # (n_y, n_x), its blurred image, with a sum of 1
+    error: float  # relative L2 error of this image
+    bound: float  # certified lower bound of the error of blurred light
 
 
 def deblur(target: Array, blur: Blur) -> Deblurred:

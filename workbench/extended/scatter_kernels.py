@@ -28,25 +28,16 @@ _FAR = 1.0  # any length
 
 
 class ScatteredRays(NamedTuple):
-    """Rays that come to k places of a receiver through a diffuser, undeflected.
+    """Rays that come to k places of a receiver through a diffuser, undeflected."""
 
-    Attributes
-    ----------
-    diffuser, receiver
-        What they pass and where they come to.
-    onwards : int
-        1 for light to +z, -1 for light to -z.
-    u, v : ndarray, shape (k,)
-        Their places on the receiver.
-    ways : ndarray, shape (k, 3)
-        Their directions; straight across the diffuser for places on a Lambertian one.
-    """
-
+    # What they pass and where they come to.
     diffuser: Diffuser
     receiver: AnyReceiver
-    onwards: int
+    onwards: int  # 1 for light to +z, -1 for light to -z
+    # (k,), their places on the receiver.
     u: Array
     v: Array
+    # (k, 3), their directions; straight across the diffuser for places on a Lambertian one.
     ways: Array
 
     def kernels(self) -> Array:

@@ -40,37 +40,24 @@ Directions = Callable[[Array, Array], Array]
 
 @dataclass(frozen=True, eq=False)
 class Scattering:
-    """What a diffuser makes of the image of undeflected rays.
+    """What a diffuser makes of the image of undeflected rays."""
 
-    Attributes
-    ----------
-    kernels : ndarray, shape (1 + k, 2 m_y + 1, 2 m_x + 1)
-        The mean kernel of light that is uniform in a part of a pixel, and its changes, by such
-        parts. Light that is scattered farther is missing.
-    factors : ndarray, shape (k, powers)
-        Of the powers of x and y that changes are multiplied by where light lands.
-    widths : tuple[float, float]
-        Full widths along x and y of a disc that blurs about as much, pixels.
-    parts : int
-        Of a pixel along each axis.
-    """
-
+    # (1 + k, 2 m_y + 1, 2 m_x + 1), the mean kernel of light that is uniform in a part of a pixel,
+    # and its changes, by such parts. Light that is scattered farther is missing.
     kernels: Array
+    # (k, powers), of the powers of x and y that changes are multiplied by where light lands.
     factors: Array
+    # Full widths along x and y of a disc that blurs about as much, pixels.
     widths: tuple[float, float]
-    parts: int = 1
+    parts: int = 1  # of a pixel along each axis
 
     @classmethod
     def of(cls, scene: Scene, directions: Directions | None = None) -> "Scattering | None":
         """Return the scattering of a scene's diffuser; None without one.
 
-        Parameters
-        ----------
-        scene : Scene
-            The design task, with one image.
-        directions : callable, optional
-            Of light that comes to a plane behind a Gaussian diffuser; by default all of it comes
-            from the middle of the element before it.
+        `scene`: the design task, with one image; `directions`: of light that comes to a plane
+        behind a Gaussian diffuser; by default all of it comes from the middle of the element before
+        it.
         """
         diffuser, receiver = scene.diffuser, scene.receiver
         if diffuser is None:

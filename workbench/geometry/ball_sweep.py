@@ -12,23 +12,14 @@ from workbench.geometry.ball_kernels import LEAF_ROWS, LEAF_SPANS, Blocks, lowes
 
 @dataclass(frozen=True, eq=False)
 class BallSweep:
-    """Balls of one radius whose centres move along straight lines, in rows along x.
+    """Balls of one radius whose centres move along straight lines, in rows along x."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shapes (m_x,) and (m_y,)
-        Positions of centres, scene units; at least two along each axis, in equal steps up to
-        rounding.
-    centre : ndarray, shape (m_x, m_y)
-        Heights of the centres; linear along x in between.
-    radius : float
-        Radius of all balls.
-    """
-
+    # Positions of centres, scene units; at least two along each axis, in equal steps up to
+    # rounding.
     x: Array
     y: Array
-    centre: Array
-    radius: float
+    centre: Array  # (m_x, m_y), heights of the centres; linear along x in between
+    radius: float  # radius of all balls
 
     def lowest(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Return height (m,) and normal (m, 3) of the lowest ball surface above points (m,).

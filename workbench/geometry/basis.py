@@ -63,23 +63,10 @@ def insertion_matrix(coarse: Array, fine: Array, degree: int) -> Array:
 def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tuple[Index, Array]:
     """Return the ``degree + 1`` basis functions that do not vanish at each u (m,).
 
-    Parameters
-    ----------
-    knots : ndarray, shape (count + degree + 1,)
-        Clamped knot vector on [0, 1].
-    degree : int
-        Polynomial degree p.
-    u : ndarray, shape (m,)
-        Parameters in [0, 1]; u = 1 belongs to the last span.
-    derivative : int
-        Order of the derivative with respect to u.
-
-    Returns
-    -------
-    first : ndarray of int, shape (m,)
-        Index of the first of these functions.
-    values : ndarray, shape (m, degree + 1)
-        Their values, or those of their derivatives.
+    `knots` (count + degree + 1,): clamped knot vector on [0, 1]; `degree`: polynomial degree p; `u`
+    (m,): parameters in [0, 1]; u = 1 belongs to the last span; `derivative`: order of the
+    derivative with respect to u. Returns `first` (m,): index of the first of these functions;
+    `values` (m, degree + 1): their values, or those of their derivatives.
 
     Notes
     -----

@@ -63,21 +63,10 @@ def derivative_range(
 ) -> tuple[Array, Array]:
     """Bound a derivative of the surface on equal parts of each knot span.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    heights : ndarray, shape (n_u, n_v)
-        Control heights.
-    order : tuple[int, int]
-        Order of the derivative with respect to x and y; (0, 0) is the height itself.
-    parts : tuple[int, int]
-        Equal parts of a span along x and y; the bounds converge with the square of their number.
-
-    Returns
-    -------
-    low, high : ndarray, shape (parts_x * spans_x, parts_y * spans_y)
-        Bounds, attained at a corner of the part or slightly too wide.
+    `net`: the control net; `heights` (n_u, n_v): control heights; `order`: order of the derivative
+    with respect to x and y; (0, 0) is the height itself; `parts`: equal parts of a span along x and
+    y; the bounds converge with the square of their number. Returns `low, high` (parts_x * spans_x,
+    parts_y * spans_y): bounds, attained at a corner of the part or slightly too wide.
 
     Notes
     -----

@@ -14,18 +14,10 @@ _ROUNDING = 1e-15
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """Where an element stands: a point p of it is at ``position + rotation @ p``.
+    """Where an element stands: a point p of it is at ``position + rotation @ p``."""
 
-    Attributes
-    ----------
-    position : ndarray, shape (3,)
-        Of the element's origin, scene units.
-    rotation : ndarray, shape (3, 3)
-        The element's unit vectors as columns.
-    """
-
-    position: Array
-    rotation: Array
+    position: Array  # (3,), of the element's origin, scene units
+    rotation: Array  # (3, 3), the element's unit vectors as columns
 
     @classmethod
     def at(
@@ -53,10 +45,7 @@ class Frame:
     def counting_from(self, z: float, there: float) -> "Frame":
         """Return it for points that count z from a level, in coordinates that do so from another.
 
-        Parameters
-        ----------
-        z, there : float
-            The levels of this element, and of the coordinates that it is seen from.
+        `z`, `there`: the levels of this element, and of the coordinates that it is seen from.
         """
         return Frame(self.position + z * self.rotation[:, 2] - [0.0, 0.0, there], self.rotation)
 

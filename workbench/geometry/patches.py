@@ -17,17 +17,10 @@ from workbench.geometry.surface import ControlNet
 
 
 class Place(NamedTuple):
-    """Position of points in the table of patches.
+    """Position of points in the table of patches."""
 
-    Attributes
-    ----------
-    row : Tensor of int64, shape (m,)
-        Patch of each point.
-    s, t : Tensor, shape (m,)
-        Local coordinates in it, [−½, ½], along x and y.
-    """
-
-    row: Tensor
+    row: Tensor  # (m,), patch of each point
+    # (m,), local coordinates in it, [−½, ½], along x and y.
     s: Tensor
     t: Tensor
 

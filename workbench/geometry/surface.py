@@ -70,21 +70,11 @@ class PointBasis(Generic[Numeric]):
 
 @dataclass(frozen=True)
 class ControlNet:
-    """B-spline space of a face.
+    """B-spline space of a face."""
 
-    Attributes
-    ----------
-    shape : tuple[int, int]
-        Numbers of control points (n_u, n_v).
-    degree : tuple[int, int]
-        Polynomial degrees (p, q).
-    half_width : tuple[float, float]
-        Half-widths (r_x, r_y) of the aperture, scene units.
-    """
-
-    shape: tuple[int, int]
-    degree: tuple[int, int]
-    half_width: tuple[float, float]
+    shape: tuple[int, int]  # numbers of control points (n_u, n_v)
+    degree: tuple[int, int]  # polynomial degrees (p, q)
+    half_width: tuple[float, float]  # half-widths (r_x, r_y) of the aperture, scene units
 
     @classmethod
     def of(cls, optic: Element) -> "ControlNet":

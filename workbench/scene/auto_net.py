@@ -12,14 +12,9 @@ AUTO = "auto"
 
 @dataclass(frozen=True)
 class AutoNet:
-    """The program chooses how many control points there are.
+    """The program chooses how many control points there are."""
 
-    Attributes
-    ----------
-    shape : tuple[int, int], optional
-        What it has chosen for a task; none before, and none in files of scenes.
-    """
-
+    # What it has chosen for a task; none before, and none in files of scenes.
     shape: tuple[int, int] | None = None
 
     def __str__(self) -> str:

@@ -66,10 +66,7 @@ class FarField(AnyReceiver):
     def standing(self, turn: Array) -> Self:
         """Return the same directions in other coordinates.
 
-        Parameters
-        ----------
-        turn : ndarray, shape (3, 3)
-            Its unit vectors there as columns, the last of which goes with the light.
+        `turn` (3, 3): its unit vectors there as columns, the last of which goes with the light.
         """
         copy = self.model_copy()
         copy._turn = tuple(map(tuple, turn.tolist()))

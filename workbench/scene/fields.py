@@ -25,35 +25,18 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 def about(title: str, tip: str, **limits: Any) -> Any:
     """Title, tip and limits of a field.
 
-    Parameters
-    ----------
-    title : str
-        What a person reads before it.
-    tip : str
-        What it is, and why one would change it.
-    **limits
-        As of `pydantic.Field`: ``gt``, ``ge``, ``lt``, ``le``, ``min_length``.
+    `title`: what a person reads before it; `tip`: what it is, and why one would change it.
     """
     return Field(title=title, description=tip, **limits)
 
 
 @dataclass(frozen=True)
 class Measure:
-    """Mark of a field: what its numbers are measured in.
+    """Mark of a field: what its numbers are measured in."""
 
-    Attributes
-    ----------
-    sign : str
-        Stands behind the number.
-    words : str
-        Says the same by itself; the sign, if it is left out.
-    power : int
-        Of the scene's unit of length; then there is no sign.
-    """
-
-    sign: str = ""
-    words: str = ""
-    power: int = 0
+    sign: str = ""  # stands behind the number
+    words: str = ""  # says the same by itself; the sign, if it is left out
+    power: int = 0  # of the scene's unit of length; then there is no sign
 
     def sign_in(self, unit: str) -> str:
         """The sign in a scene with a unit of length."""
@@ -141,33 +124,15 @@ BOUNDS = {
 
 @dataclass(frozen=True)
 class FieldDescription:
-    """A field of a part, as forms, reports and conversions need it.
+    """A field of a part, as forms, reports and conversions need it."""
 
-    Attributes
-    ----------
-    name : str
-        In the file.
-    title : str
-        What a person reads.
-    tip : str
-        What it is, and why one would change it.
-    type : object
-        Of its values, without None and `AutoNet`.
-    optional : bool
-        Whether it may be left out for no value.
-    auto : bool
-        Whether the program may choose its numbers.
-    marks : tuple
-        Limits, and marks of this module.
-    """
-
-    name: str
-    title: str
-    tip: str
-    type: Any
-    optional: bool
-    auto: bool
-    marks: tuple[object, ...]
+    name: str  # in the file
+    title: str  # what a person reads
+    tip: str  # what it is, and why one would change it
+    type: Any  # of its values, without None and `AutoNet`
+    optional: bool  # whether it may be left out for no value
+    auto: bool  # whether the program may choose its numbers
+    marks: tuple[object, ...]  # limits, and marks of this module
 
     def mark(self, kind: type[Mark]) -> Mark | None:
         """The mark of a kind, its own or of each of its values; None without one."""

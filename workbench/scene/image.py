@@ -28,21 +28,11 @@ Receiver = Annotated[Screen | FarField, Kinds("kind")]
 
 @dataclass(frozen=True, eq=False)
 class DrawnTarget:
-    """A target as an array; equal to any where it has yet to be drawn.
+    """A target as an array; equal to any where it has yet to be drawn."""
 
-    Attributes
-    ----------
-    light : ndarray, shape (n_y, n_x), optional
-        The wanted image in any scale, row 0 at +y.
-    picture : bytes, optional
-        Content of its image file.
-    remarks : tuple of str
-        What a person should know of that file.
-    """
-
-    light: Array | None = None
-    picture: bytes | None = None
-    remarks: tuple[str, ...] = ()
+    light: Array | None = None  # (n_y, n_x), the wanted image in any scale, row 0 at +y
+    picture: bytes | None = None  # content of its image file
+    remarks: tuple[str, ...] = ()  # what a person should know of that file
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, DrawnTarget):
@@ -53,21 +43,11 @@ class DrawnTarget:
 
 
 class WantedImage(NamedTuple):
-    """One of the images of a task.
+    """One of the images of a task."""
 
-    Attributes
-    ----------
-    scene : Scene
-        The task as if there were no other image.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
-    weight : float
-        Factor of the square of its error.
-    """
-
-    scene: "Scene"
-    target: Array
-    weight: float
+    scene: "Scene"  # the task as if there were no other image
+    target: Array  # (n_y, n_x), the wanted image in any scale, row 0 at +y
+    weight: float  # factor of the square of its error
 
 
 class Image(Part):
@@ -93,10 +73,7 @@ class Image(Part):
     def wanted(self) -> Array:
         """The target as an array, shape (n_y, n_x).
 
-        Raises
-        ------
-        Refused
-            If it has yet to be drawn; see `workbench.design.task.begin`.
+        Raises `Refused` if it has yet to be drawn; see `workbench.design.task.begin`.
         """
         if self._drawn.light is None:
             raise Refused("target", "has yet to be drawn; workbench.begin draws it")
@@ -116,10 +93,7 @@ class Image(Part):
     def check_lit_by(self, element: Element) -> None:
         """Refuse an element that cannot light the receiver.
 
-        Raises
-        ------
-        Refused
-            With the path of the field from the image.
+        Raises `Refused` with the path of the field from the image.
         """
         with refused_within("receiver"):
             self.receiver.check_receiver()

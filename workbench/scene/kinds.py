@@ -21,20 +21,11 @@ class Kinds:
     """Mark of a union of parts: a field of theirs tells which kind one is of.
 
     The union is the one list of the kinds: files, forms and refusals follow it.
-
-    Attributes
-    ----------
-    field : str
-        Its name; a literal in each kind but, perhaps, the default.
-    default : str, optional
-        The kind where the field is left out.
-    title : str
-        What a person reads for the field.
     """
 
-    field: str
-    default: str | None = None
-    title: str = "Kind"
+    field: str  # its name; a literal in each kind but, perhaps, the default
+    default: str | None = None  # the kind where the field is left out
+    title: str = "Kind"  # what a person reads for the field
 
     def name_of(self, kind: type[Part]) -> str:
         """What the field of a kind holds."""
@@ -61,19 +52,9 @@ class Kinds:
     def exchanged(self, before: Part, kind: type[AnyPart], scene: "Scene") -> AnyPart | None:
         """A part of another kind, as like the one before as it can be; of the same one, a new one.
 
-        Parameters
-        ----------
-        before : Part
-            What is not by default there stays, as far as both kinds say the same of it.
-        kind : type[Part]
-            The kind of the new one.
-        scene : Scene
-            Where the new one begins; see `Part.defaults_for`.
-
-        Returns
-        -------
-        Part, optional
-            None if it needs what only a person can give.
+        `before`: what is not by default there stays, as far as both kinds say the same of it;
+        `kind`: the kind of the new one; `scene`: where the new one begins; see `Part.defaults_for`.
+        Returns None if it needs what only a person can give.
         """
         there = {field.name: field for field in before.fields()}
         usual = {name: field.default for name, field in type(before).model_fields.items()}

@@ -28,10 +28,7 @@ _SMALLEST, _LARGEST, _SLIMMEST = 1e-6, 1e6, 1e-3
 def check_width(half_width: tuple[float, float]) -> None:
     """Refuse an element that is too large, too small or too slim to compute with.
 
-    Raises
-    ------
-    Refused
-        With the half-width, and what is possible.
+    Raises `Refused` with the half-width, and what is possible.
     """
     large = max(half_width)
     axis = half_width.index(large)
@@ -61,10 +58,7 @@ def check_width(half_width: tuple[float, float]) -> None:
 def check_index(index: float) -> None:
     """Refuse a refractive index that no material has.
 
-    Raises
-    ------
-    Refused
-        With the index, and the largest.
+    Raises `Refused` with the index, and the largest.
     """
     if index > LARGEST_INDEX:
         raise Refused(
@@ -80,10 +74,7 @@ def check_index(index: float) -> None:
 def check_absorption(absorption: float, thickness: float) -> None:
     """Refuse glass that is as good as black in a lens of some thickness.
 
-    Raises
-    ------
-    Refused
-        With the absorption, and the largest.
+    Raises `Refused` with the absorption, and the largest.
     """
     if absorption * thickness > -math.log(DARKEST):
         raise Refused(
@@ -104,19 +95,9 @@ def check_lengths(
 ) -> None:
     """Refuse lengths that are too long for a lens.
 
-    Parameters
-    ----------
-    lengths : iterable of tuple[str, float]
-        Paths and values.
-    half_width : tuple[float, float]
-        Half-widths of the lens.
-    most : float
-        The longest, of either sign, in units of the larger half-width.
-
-    Raises
-    ------
-    Refused
-        With the first that is too long.
+    `lengths`: paths and values; `half_width`: half-widths of the lens; `most`: the longest, of
+    either sign, in units of the larger half-width. Raises `Refused` with the first that is too
+    long.
     """
     longest = most * max(half_width)
     for path, length in lengths:

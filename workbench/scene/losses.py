@@ -10,26 +10,16 @@ if TYPE_CHECKING:
 
 
 class Loss(NamedTuple):
-    """What is said of a way to lose light.
+    """What is said of a way to lose light."""
 
-    Attributes
-    ----------
-    title, tip : str
-        Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
-    where : str
-        Where such light goes, after "of the light, 10 %".
-    cure : str
-        What brings it to the receiver, as a sentence without its end; "{flatter}" stands for a
-        flatter base, where there is one.
-    always : bool
-        Whether every account has it, and with that every file of version 1.
-    """
-
+    # Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
     title: str
     tip: str
-    where: str
+    where: str  # where such light goes, after "of the light, 10 %"
+    # What brings it to the receiver, as a sentence without its end; "{flatter}" stands for a
+    # flatter base, where there is one.
     cure: str
-    always: bool = False
+    always: bool = False  # whether every account has it, and with that every file of version 1
 
     def cure_in(self, scene: "Scene") -> Said:
         """The cure for a scene."""
@@ -39,15 +29,7 @@ class Loss(NamedTuple):
 
 @dataclass(frozen=True)
 class TakesLight:
-    """Mark of a field that takes light unless it has its default.
+    """Mark of a field that takes light unless it has its default."""
 
-    Attributes
-    ----------
-    name : str
-        Of what it takes, in the light account.
-    loss : Loss
-        What is said of it.
-    """
-
-    name: str
-    loss: Loss
+    name: str  # of what it takes, in the light account
+    loss: Loss  # what is said of it

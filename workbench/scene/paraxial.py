@@ -48,21 +48,13 @@ class _Vertex(NamedTuple):
 
 
 class _Seen(NamedTuple):
-    """An object as light sees it through some elements.
+    """An object as light sees it through some elements."""
 
-    Attributes
-    ----------
-    place : ndarray, shape (3,), optional
-        Of its middle in the scene; None of an object that is infinitely far.
-    turn : ndarray, shape (3, 3)
-        Takes its own vectors there; a mirror image behind an odd number of mirrors.
-    magnification : float
-        How many times as large it is across.
-    """
-
+    # (3,), of its middle in the scene; None of an object that is infinitely far.
     place: Array | None
+    # (3, 3), takes its own vectors there; a mirror image behind an odd number of mirrors.
     turn: Array
-    magnification: float = 1.0
+    magnification: float = 1.0  # how many times as large it is across
 
 
 def of_designed_element(scene: "Scene") -> "Scene":
@@ -183,18 +175,9 @@ def _through(
 ) -> _Seen:
     """An object as light sees it behind an element.
 
-    Parameters
-    ----------
-    element, seen
-        The element, and the object before it.
-    way : ndarray, shape (3,)
-        Along which light comes to the element.
-    axis : ndarray, shape (3,)
-        Along which light of the object, or to it, leaves the element.
-    heading : ndarray, shape (3,)
-        Of light of an object that is infinitely far.
-    rigid : bool
-        Whether curved mirrors count as planes.
+    `way` (3,): along which light comes to the element; `axis` (3,): along which light of the
+    object, or to it, leaves the element; `heading` (3,): of light of an object that is infinitely
+    far.
     """
     vertex, normal, (place, turn, size) = np.array(element.position), element.turn[:, 2], seen
     if isinstance(element, Mirror):

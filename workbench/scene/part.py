@@ -33,19 +33,13 @@ class Part(BaseModel):
     def check(self) -> None:
         """Refuse values that do not go together; each by itself is within its limits.
 
-        Raises
-        ------
-        Refused
-            With the path of the field, the value and what is allowed.
+        Raises `Refused` with the path of the field, the value and what is allowed.
         """
 
     def altered(self, **values: Any) -> Self:
         """The same part with other values, which are good for their fields, checked as a whole.
 
-        Raises
-        ------
-        Refused
-            If they do not go together.
+        Raises `Refused` if they do not go together.
         """
         changed = self.model_copy(update=values)
         changed.check()
@@ -54,10 +48,7 @@ class Part(BaseModel):
     def scaled(self, factor: Fraction) -> Self:
         """The same part in another unit of length, of which ``factor`` make the one before.
 
-        Raises
-        ------
-        Refused
-            If it is too large or too small then.
+        Raises `Refused` if it is too large or too small then.
         """
         changes = {
             field.name: _scaled(getattr(self, field.name), factor, field.measure.power)

@@ -32,17 +32,8 @@ def is_path(text: str) -> bool:
 def steps_of(whole: object, path: str) -> tuple[Step, ...]:
     """Return the names and indices along a path.
 
-    Parameters
-    ----------
-    whole : Scene, Part or plain data
-        Where the path begins. In a scene, elements and faces may be named.
-    path : str
-        The path.
-
-    Raises
-    ------
-    Refused
-        If the text is no path.
+    `whole`: where the path begins. In a scene, elements and faces may be named. Raises `Refused` if
+    the text is no path.
     """
     if not is_path(path):
         raise Refused(path, Said("no path of a field; a path as in lens.thickness is needed"))
@@ -86,18 +77,9 @@ def with_values(scene: Scene, changes: Mapping[str, Any]) -> Scene:
 
     Defaults of fields that the scene does not set follow the new values.
 
-    Parameters
-    ----------
-    scene : Scene
-        The scene.
-    changes : mapping of str to plain data
-        Values by path, as a scene file has them. A single number for a field that is a list of
-        numbers stands for each of them.
-
-    Raises
-    ------
-    Refused
-        If there is no such field, two paths are of one field, or the scene is not possible.
+    `changes`: values by path, as a scene file has them. A single number for a field that is a list
+    of numbers stands for each of them. Raises `Refused` if there is no such field, two paths are of
+    one field, or the scene is not possible.
     """
     data = scene.model_dump(mode="json", exclude_unset=True, exclude_none=True)
     full = scene.settled().to_data()

@@ -73,12 +73,8 @@ class AnySource(Part):
     def standing(self, place: Array | None, turn: Array) -> Self:
         """Return the same source in other coordinates.
 
-        Parameters
-        ----------
-        place : ndarray, shape (3,), optional
-            Where its middle is there; None of light from infinitely far.
-        turn : ndarray, shape (3, 3)
-            Takes its directions there: a rotation, or one of a mirror image, as behind a mirror.
+        `place` (3,): where its middle is there; None of light from infinitely far; `turn` (3, 3):
+        takes its directions there: a rotation, or one of a mirror image, as behind a mirror.
         """
         own = proper(turn if self._turn is None else turn @ np.array(self._turn))
         copy = self.model_copy() if place is None else self.placed(tuple(place.tolist()))
@@ -207,10 +203,7 @@ class AnySource(Part):
     def check_before(self, optic: Element) -> None:
         """Refuse a lens that it cannot light.
 
-        Raises
-        ------
-        Refused
-            With the path of the field, the value and what is allowed.
+        Raises `Refused` with the path of the field, the value and what is allowed.
         """
 
     def seen(self, most: tuple[int, int]) -> Array:
@@ -372,10 +365,7 @@ def _point(source: AnySource, place: Place) -> "PointSource":
 def check_place(path: str, place: Place, optic: Element) -> None:
     """Refuse light from a place that is not before all of an optic, too near or too far.
 
-    Raises
-    ------
-    Refused
-        With its coordinate or its way, and what is possible.
+    Raises `Refused` with its coordinate or its way, and what is possible.
     """
     x, y, z = place
     aside = [(f"{path}[0]", x), (f"{path}[1]", y)]

@@ -104,10 +104,7 @@ class AnyReceiver(Part):
     def plane_z(self) -> float:
         """Where its middle stands along the axis, scene units.
 
-        Raises
-        ------
-        Refused
-            If it is at no distance.
+        Raises `Refused` if it is at no distance.
         """
 
     @abstractmethod
@@ -138,12 +135,7 @@ class AnyReceiver(Part):
     def outline(self, optic: "Element", fraction: float = 1.0) -> Array:
         """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
 
-        Parameters
-        ----------
-        optic : Element
-            What lights it.
-        fraction : float
-            Of its extents, about its middle.
+        `optic`: what lights it; `fraction`: of its extents, about its middle.
         """
         steps = fraction * np.linspace(-1, 1, self.facets + 1)
         (u, v), (r_u, r_v) = self.middle, self.half_extent
@@ -167,10 +159,8 @@ class AnyReceiver(Part):
     def check_receiver(self) -> None:
         """Refuse values that do not go together.
 
-        Raises
-        ------
-        Refused
-            With the path of the field from the receiver, the value and what is allowed.
+        Raises `Refused` with the path of the field from the receiver, the value and what is
+        allowed.
         """
 
     def check_lengths(self, half_width: tuple[float, float]) -> None:
@@ -180,10 +170,7 @@ class AnyReceiver(Part):
     def check_lit_by(self, optic: "Element") -> None:
         """Refuse an optic that cannot light it.
 
-        Raises
-        ------
-        Refused
-            With the path of the field, the value and what is allowed.
+        Raises `Refused` with the path of the field, the value and what is allowed.
         """
 
     def grown(self, margin: tuple[int, int]) -> Self:
@@ -203,10 +190,7 @@ class AnyReceiver(Part):
         Pixel (row i, column j) covers [j, j+1) × [i, i+1). Row 0 is at +v and column 0 at −u.
         This is the one place where v turns into rows.
 
-        Parameters
-        ----------
-        u, v : float, numpy array or torch tensor
-            Place on the receiver, in its own coordinates.
+        `u`, `v`: place on the receiver, in its own coordinates.
         """
         (r_u, r_v), (n_x, n_y), (mid_u, mid_v) = self.half_extent, self.pixels, self.middle
         u, v = u - mid_u, v - mid_v

@@ -137,10 +137,7 @@ class PolygonRegion(AnyRegion):
 def check_regions(regions: Sequence[AnyRegion]) -> None:
     """Refuse regions of a scene that are none, or too many.
 
-    Raises
-    ------
-    Refused
-        With the path of the field in the scene.
+    Raises `Refused` with the path of the field in the scene.
     """
     if len(regions) > _MOST:
         many = Said("{count} are given; at most {most}", count=len(regions), most=_MOST)

@@ -18,18 +18,10 @@ Lines = tuple[tuple[Annotated[float, Field(gt=0)], Annotated[float, Field(ge=0)]
 
 
 class Line(NamedTuple):
-    """One line of the light of a scene.
+    """One line of the light of a scene."""
 
-    Attributes
-    ----------
-    scene : Scene
-        The scene in light of one wavelength.
-    part : float
-        The part of the flux that has it; the parts of all lines add up to 1.
-    """
-
-    scene: "Scene"
-    part: float
+    scene: "Scene"  # the scene in light of one wavelength
+    part: float  # the part of the flux that has it; the parts of all lines add up to 1
 
 
 def lines_of(scene: "Scene") -> tuple[Line, ...]:
@@ -64,10 +56,7 @@ def mean_wavelength(spectrum: Iterable[tuple[float, float]]) -> float:
 def check_spectrum(scene: "Scene") -> None:
     """Refuse a spectrum that makes no light, or for which a material has no data.
 
-    Raises
-    ------
-    Refused
-        With the path of the field in the scene, the value and what is allowed.
+    Raises `Refused` with the path of the field in the scene, the value and what is allowed.
     """
     source, spectrum = scene.source, scene.source.spectrum
     if spectrum is None:

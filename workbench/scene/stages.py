@@ -45,14 +45,8 @@ def stage_scenes(scene: "Scene") -> tuple["Scene", ...]:
 def refused_in_stage(number: int, count: int, scene: "Scene") -> Iterator[None]:
     """Give refusals of a stage's scene their paths from the whole scene.
 
-    Parameters
-    ----------
-    number : int
-        Number of the stage, an index of `Scene.stage_scenes`.
-    count : int
-        How many stages there are; the scene behind them is the whole one.
-    scene : Scene
-        The whole one.
+    `number`: number of the stage, an index of `Scene.stage_scenes`; `count`: how many stages there
+    are; the scene behind them is the whole one; `scene`: the whole one.
     """
     try:
         yield
@@ -76,13 +70,7 @@ def _in_stage(scene: "Scene", stage: Stage) -> "Scene":
 
 
 def _run_in_stage(run: Run, stage: Stage) -> Run:
-    """Settings of a run in one of its stages.
-
-    Raises
-    ------
-    Refused
-        If the stage has a setting that its method does not have.
-    """
+    """Settings of a run in one of its stages."""
     changes = {name: getattr(run, name) for name in RunSettings.model_fields}
     changes |= {"iterations": stage.iterations, "stages": ()}
     if stage.method not in (None, run.method):

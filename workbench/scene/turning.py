@@ -14,11 +14,8 @@ _ROUNDING = 1e-14
 def turned(about: tuple[float, float]) -> Array:
     """The matrix (3, 3) of a turn; its columns are where it takes x, y and z.
 
-    Parameters
-    ----------
-    about : tuple[float, float]
-        Degrees about x and about y, as a rotation vector: their root sum of squares is the angle
-        between the axis z before and after it.
+    `about`: degrees about x and about y, as a rotation vector: their root sum of squares is the
+    angle between the axis z before and after it.
 
     Notes
     -----

@@ -49,21 +49,9 @@ def read(
 ) -> Read:
     """Read a scene file of version 1 or 2.
 
-    Parameters
-    ----------
-    text : str or bytes
-        The file: a JSON object.
-    validate : callable
-        Reads a scene file of version 3.
-    version : int
-        What the file states.
-    model : type
-        The model that ``validate`` asks for.
-
-    Raises
-    ------
-    Refused
-        With the path of the field in the file, the value and what is allowed.
+    `text`: the file: a JSON object; `validate`: reads a scene file of version 3; `version`: what
+    the file states; `model`: the model that ``validate`` asks for. Raises `Refused` with the path
+    of the field in the file, the value and what is allowed.
     """
     data = from_json(text)
     converted = upgraded(data, version)
@@ -79,10 +67,7 @@ def read(
 def upgraded(data: Data, version: int) -> Data:
     """Return a scene of version 1 or 2 as one of version 3.
 
-    Raises
-    ------
-    Refused
-        If a field that the conversion needs is missing, unknown or of a wrong type.
+    Raises `Refused` if a field that the conversion needs is missing, unknown or of a wrong type.
     """
     _check_known("", data, _SCENE)
     optic = _one_of(data, "lens", "mirror")

@@ -58,16 +58,8 @@ def inverted(scene: "Scene") -> bool:
 def as_viewed(scene: "Scene", image: Array) -> Array:
     """An image on a receiver as its viewer sees it; and the reverse, which is the same.
 
-    Parameters
-    ----------
-    scene : Scene
-        Gives receiver and viewer, of its first image.
-    image : ndarray, shape (n_y, n_x, ...)
-        On the pixels of the receiver, or as the viewer sees it.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x, ...)
+    `scene`: gives receiver and viewer, of its first image; `image` (n_y, n_x, ...): on the pixels
+    of the receiver, or as the viewer sees it. Returns (n_y, n_x, ...).
     """
     return np.ascontiguousarray(image[:, ::-1]) if inverted(scene) else image
 

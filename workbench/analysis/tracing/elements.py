@@ -13,21 +13,11 @@ from workbench.arrays import Array, Mask
 
 
 class TracedRays(NamedTuple):
-    """Some rays; a ray that is lost stays among them, with no flux, and is not followed.
+    """Some rays; a ray that is lost stays among them, with no flux, and is not followed."""
 
-    Attributes
-    ----------
-    position : ndarray, shape (m, 3)
-        Where they are, scene units.
-    direction : ndarray, shape (m, 3) or (1, 3)
-        Unit vectors.
-    flux : ndarray, shape (m,)
-        Flux of each, in any unit.
-    """
-
-    position: Array
-    direction: Array
-    flux: Array
+    position: Array  # (m, 3), where they are, scene units
+    direction: Array  # (m, 3), unit vectors
+    flux: Array  # (m,), flux of each, in any unit
 
     def split(self, size: int) -> Iterator["TracedRays"]:
         """The same rays, at most ``size`` of them at a time."""
@@ -48,24 +38,12 @@ def joined(parts: Sequence[TracedRays]) -> TracedRays:
 
 
 class Crossings(NamedTuple):
-    """Where rays meet a face.
+    """Where rays meet a face."""
 
-    Attributes
-    ----------
-    position : ndarray, shape (m, 3)
-        Places on the face; anything for rays without flux.
-    normal : ndarray, shape (m, 3) or (1, 3)
-        Unit normals there, to the side to which the light goes.
-    flux : ndarray, shape (m,)
-        Flux of each ray that meets the face, and 0 for the others.
-    missed : float
-        Flux of the rays that do not meet it.
-    """
-
-    position: Array
-    normal: Array
-    flux: Array
-    missed: float
+    position: Array  # (m, 3), places on the face; anything for rays without flux
+    normal: Array  # (m, 3), unit normals there, to the side to which the light goes
+    flux: Array  # (m,), flux of each ray that meets the face, and 0 for the others
+    missed: float  # flux of the rays that do not meet it
 
 
 class RandomSource(Protocol):

@@ -20,14 +20,9 @@ def in_order(
 ) -> Iterator[T | None]:
     """Do all of some works; yields each outcome, and None now and then before one is there.
 
-    Parameters
-    ----------
-    works : sequence of callable
-        Called with an event that is set once nobody waits for the outcome.
-    size : int
-        Bytes of an outcome: fewer threads work where that is much.
-    threads : int, optional
-        How many work; as many as may be by default; see `usable_threads`.
+    `works`: called with an event that is set once nobody waits for the outcome; `size`: bytes of an
+    outcome: fewer threads work where that is much; `threads`: how many work; as many as may be by
+    default; see `usable_threads`.
     """
     threads = min(threads or usable_threads(), _MOST_THREADS, max(_LARGEST // size, 1))
     left = Event()

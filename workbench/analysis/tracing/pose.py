@@ -13,37 +13,24 @@ class Pose:
     """A lens turned about the middle of its entrance face, then moved sideways; and its source.
 
     The screen stays where it is.
-
-    Attributes
-    ----------
-    tilt : tuple[float, float]
-        Rotation vector: radians about the axes x and y; their root sum of squares is the angle
-        between optical axis and lens.
-    decentre : tuple[float, float]
-        Shift along x and y, scene units.
-    source_tilt : tuple[float, float]
-        As ``tilt``, of the source about its middle.
-    source_shift : tuple[float, float, float]
-        Shift of the source along x, y and z, scene units.
-    exit_tilt, exit_decentre : tuple[float, float]
-        As ``tilt`` and ``decentre``, of the exit face against the entrance face, turned about its
-        own middle.
     """
 
+    # Rotation vector: radians about the axes x and y; their root sum of squares is the angle
+    # between optical axis and lens.
     tilt: tuple[float, float] = (0.0, 0.0)
-    decentre: tuple[float, float] = (0.0, 0.0)
-    source_tilt: tuple[float, float] = (0.0, 0.0)
+    decentre: tuple[float, float] = (0.0, 0.0)  # shift along x and y, scene units
+    source_tilt: tuple[float, float] = (0.0, 0.0)  # as ``tilt``, of the source about its middle
+    # Shift of the source along x, y and z, scene units.
     source_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    # As ``tilt`` and ``decentre``, of the exit face against the entrance face, turned about its own
+    # middle.
     exit_tilt: tuple[float, float] = (0.0, 0.0)
     exit_decentre: tuple[float, float] = (0.0, 0.0)
 
     def of_source(self, middle: tuple[float, float, float]) -> "Pose":
         """What takes points and directions of the source, as the scene says them, to the lens.
 
-        Parameters
-        ----------
-        middle : tuple of three float
-            About which the source is turned, scene units.
+        `middle`: about which the source is turned, scene units.
         """
         if not any((*self.source_tilt, *self.source_shift)):
             return self
@@ -80,14 +67,9 @@ class Pose:
 
 @dataclass(frozen=True, eq=False)
 class ElementPose(Pose):
-    """How the first element of a train stands; a beam passes its middle.
+    """How the first element of a train stands; a beam passes its middle."""
 
-    Attributes
-    ----------
-    turn : ndarray, shape (3, 3)
-        Its unit vectors in the scene, as columns, in place of ``tilt``.
-    """
-
+    # (3, 3), its unit vectors in the scene, as columns, in place of ``tilt``.
     turn: Array = field(default_factory=lambda: np.eye(3))
 
     @property

@@ -29,32 +29,12 @@ class Trace:
     random direction in each of as many equal cells of a point's cone. Memory does not grow with
     them. Each line of the light has an equal share of the rays.
 
-    Parameters
-    ----------
-    scene : Scene
-        Lens, source and screen; filter and run settings play no part.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    rays : int
-        Rays to trace at least; rounded up to whole batches of a grid.
-    seed : int
-        The same seed gives the same rays.
-    pose : Pose
-        How the lens stands.
-    distances : sequence of float, optional
-        Where screens are, z of the k planes; the scene's alone by default.
-
-    Attributes
-    ----------
-    rays : int
-        Rays traced.
-    sampled : bool
-        Whether batches are independent samples of the light; see `LightSource`.
-
-    Raises
-    ------
-    Refused
-        If there are more rays than `MOST_RAYS`, the lens is no body, or passes one of the screens.
+    `scene`: lens, source and screen; filter and run settings play no part; `heights` (n_u, n_v);
+    `rays`: rays to trace at least; rounded up to whole batches of a grid; `pose`: how the lens
+    stands; `distances`: where screens are, z of the k planes; the scene's alone by default. `rays`:
+    rays traced; `sampled`: whether batches are independent samples of the light; see `LightSource`.
+    Raises `Refused` if there are more rays than `MOST_RAYS`, the lens is no body, or passes one of
+    the screens.
     """
 
     def __init__(
@@ -93,10 +73,8 @@ class Trace:
     def batches(self, threads: int | None = None) -> Iterator[Tally | None]:
         """Trace; yields each of the `BATCHES` batches, and None now and then before one is done.
 
-        Parameters
-        ----------
-        threads : int, optional
-            How many trace; as many as there are cores by default. Fewer do if images are large.
+        `threads`: how many trace; as many as there are cores by default. Fewer do if images are
+        large.
         """
         detector = self._trains[0].detector
         works = [partial(self._batch, number) for number in range(BATCHES)]

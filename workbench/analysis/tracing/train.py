@@ -45,21 +45,10 @@ _AT_ONCE = 1 << 13
 class Tally:
     """Where the light of some rays went, in any unit.
 
-    Parameters
-    ----------
-    images, pixels : int
-        How many images there are, and the pixels of each.
-
-    Attributes
-    ----------
-    flux : ndarray, shape (images, pixels)
-        Flux in the pixels, along the rows.
-    beside : ndarray, shape (images,)
-        Flux that went beside each image.
-    emitted : float
-        Flux of the source.
-    lost : dict[str, float]
-        Flux that was lost on the way, by its names in the light account.
+    `images`, `pixels`: how many images there are, and the pixels of each. `flux` (images, pixels):
+    flux in the pixels, along the rows; `beside` (images,): flux that went beside each image;
+    `emitted`: flux of the source; `lost`: flux that was lost on the way, by its names in the light
+    account.
     """
 
     def __init__(self, images: int, pixels: int) -> None:
@@ -83,14 +72,7 @@ class Tally:
 class OpticalTrain:
     """Source, faces and receiver in the order in which light meets them.
 
-    Parameters
-    ----------
-    source : LightSource
-        The source.
-    faces : sequence of (TracedFace, Boundary)
-        Faces, and what each does to light.
-    detector : Detector
-        Where light is counted.
+    `faces`: faces, and what each does to light; `detector`: where light is counted.
     """
 
     def __init__(
@@ -113,10 +95,8 @@ class OpticalTrain:
     ) -> "OpticalTrain":
         """Make the train of a scene with receivers of one kind; for the parameters see `Trace`.
 
-        Raises
-        ------
-        Refused
-            If one of several elements is out of its place, or a receiver may touch the last one.
+        Raises `Refused` if one of several elements is out of its place, or a receiver may touch the
+        last one.
         """
         if pose != Pose():
             scene.check_one_element("a check of an element out of its place")
@@ -169,13 +149,9 @@ class OpticalTrain:
     def hits(self, rays: TracedRays, places: Array, flux: Array) -> None:
         """Follow rays to the first of the screens.
 
-        Parameters
-        ----------
-        rays : TracedRays
-            The rays.
-        places, flux : ndarray, shapes (m, 2), (m,)
-            Get column and row in pixels where they meet the screen, which is not finite for those
-            that never do, and their flux there. A ray that is lost has no flux and any place.
+        `places`, `flux`: get column and row in pixels where they meet the screen, which is not
+        finite for those that never do, and their flux there. A ray that is lost has no flux and any
+        place.
         """
         first = 0
         for some in rays.split(_AT_ONCE):

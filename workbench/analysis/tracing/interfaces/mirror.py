@@ -10,11 +10,8 @@ from workbench.analysis.tracing.elements import Crossings, TracedRays
 class MirrorBoundary:
     """Angles of incidence and reflection are the same; a `Boundary`.
 
-    Parameters
-    ----------
-    reflectance : float
-        Part of the light that is reflected; the rest is called ``absorbed_mirror`` in the light
-        account.
+    `reflectance`: part of the light that is reflected; the rest is called ``absorbed_mirror`` in
+    the light account.
     """
 
     def __init__(self, reflectance: float) -> None:

@@ -15,10 +15,8 @@ class ScatterBoundary:
 
     Random numbers come from the first ray: batches and threads do not share any.
 
-    Parameters
-    ----------
-    diffuser : Diffuser
-        How it scatters; what it absorbs is called ``absorbed_diffuser`` in the light account.
+    `diffuser`: how it scatters; what it absorbs is called ``absorbed_diffuser`` in the light
+    account.
     """
 
     def __init__(self, diffuser: Diffuser) -> None:

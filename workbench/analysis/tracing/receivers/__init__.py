@@ -25,15 +25,7 @@ def detector_of(
 ) -> Detector:
     """The detector of some receivers of one kind, at least one, which do not hide each other.
 
-    Parameters
-    ----------
-    receivers : sequence of AnyReceiver
-        The receivers.
-    front_z : float
-        The z of the scene from which rays count z.
-    onwards : int
-        1 if light comes to them towards +z, -1 if towards -z.
-    pose : Pose
-        How the lens stands.
+    `receivers`: the receivers; `front_z`: the z of the scene from which rays count z; `onwards`: 1
+    if light comes to them towards +z, -1 if towards -z; `pose`: how the lens stands.
     """
     return _DETECTORS[type(receivers[0])](receivers, front_z, onwards, pose)

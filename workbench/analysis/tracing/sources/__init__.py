@@ -47,15 +47,7 @@ _SOURCES: Mapping[type, Callable[[Any, Element, Pose, int, int], LightSource]] =
 def light_source(source: Source, optic: Element, pose: Pose, rays: int, seed: int) -> LightSource:
     """The element that a source is.
 
-    Parameters
-    ----------
-    source : Source
-        The source.
-    optic : Element
-        Gives the entrance face.
-    pose : Pose
-        How the lens stands.
-    rays, seed : int
-        How many rays are drawn at least, and which.
+    `optic`: gives the entrance face; `pose`: how the lens stands; `rays`, `seed`: how many rays are
+    drawn at least, and which.
     """
     return row_of(_SOURCES, source)(source, optic, pose, rays, seed)

@@ -20,19 +20,8 @@ class Cells:
     The cells lie in blocks of 4 × 4, and each batch of places has one of every block. A batch is
     an even sample by itself, and all of them together fill every cell.
 
-    Parameters
-    ----------
-    count : int
-        Places in all, at least; rounded up to whole batches of a grid.
-    aspect : float
-        Columns over rows of the grid of cells.
-    seed : int
-        The same seed gives the same places.
-
-    Attributes
-    ----------
-    count : int
-        Places in all.
+    `count`: places in all, at least; rounded up to whole batches of a grid; `aspect`: columns over
+    rows of the grid of cells; `seed`: the same seed gives the same places. `count`: places in all.
     """
 
     def __init__(self, count: int, aspect: float, seed: int) -> None:

@@ -16,37 +16,19 @@ _NODES = 48
 
 
 class Cones(NamedTuple):
-    """For each of k points the smallest circular cone that holds the face.
+    """For each of k points the smallest circular cone that holds the face."""
 
-    Attributes
-    ----------
-    centre : ndarray, shape (k, 2)
-        Where the axis crosses the plane of the face, scene units.
-    axis : ndarray, shape (k, 3)
-        Unit vectors.
-    distance : ndarray, shape (k,)
-        From the point to the centre.
-    versine : ndarray, shape (k,)
-        1 − cosine of the half-angle; the solid angle is 2π times that.
-    """
-
-    centre: Array
-    axis: Array
-    distance: Array
-    versine: Array
+    centre: Array  # (k, 2), where the axis crosses the plane of the face, scene units
+    axis: Array  # (k, 3), unit vectors
+    distance: Array  # (k,), from the point to the centre
+    versine: Array  # (k,), 1 − cosine of the half-angle; the solid angle is 2π times that
 
 
 def covering_cones(points: Array, half_width: tuple[float, float], z: float) -> Cones:
     """Cones from points that just cover a centred rectangle in the plane z.
 
-    Parameters
-    ----------
-    points : ndarray, shape (k, 3)
-        The points, before the plane.
-    half_width : tuple[float, float]
-        Half-widths of the rectangle.
-    z : float
-        Where the rectangle is.
+    `points` (k, 3): the points, before the plane; `half_width`: half-widths of the rectangle; `z`:
+    where the rectangle is.
 
     Notes
     -----
@@ -82,13 +64,8 @@ def covering_cones(points: Array, half_width: tuple[float, float], z: float) -> 
 def powers(cones: Cones, upwards: Array) -> Array:
     """Flux of points of intensity 1 / 2π in their cones, shape (k,).
 
-    Parameters
-    ----------
-    cones : Cones
-        The cones.
-    upwards : ndarray, shape (3,)
-        Intensity goes with the cosine to this unit vector, as far as that is positive; 0 for light
-        that is even.
+    `cones`: the cones; `upwards` (3,): intensity goes with the cosine to this unit vector, as far
+    as that is positive; 0 for light that is even.
     """
     if not upwards.any():
         return cones.versine

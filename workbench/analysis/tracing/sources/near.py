@@ -19,20 +19,9 @@ def near_places(
     (q² + y²)^-3/2, whose sum has a closed form. Rays that each stand for the area of their place
     then carry almost the same flux: their image scatters least.
 
-    Parameters
-    ----------
-    a, b : ndarray, shape (m,)
-        In [0, 1].
-    points : ndarray, shape (m, 3) or (1, 3)
-        Where each ray begins as the lens sees it, before the plane z = 0; one point may stand for
-        all.
-    half_width : tuple[float, float]
-        Of the rectangle that the places fill.
-
-    Returns
-    -------
-    tuple of three ndarray, shape (m,)
-        x, y and areas, whose mean is that of the rectangle.
+    `a`, `b` (m,): in [0, 1]; `points` (m, 3): where each ray begins as the lens sees it, before the
+    plane z = 0; one point may stand for all; `half_width`: of the rectangle that the places fill.
+    Returns (m,): x, y and areas, whose mean is that of the rectangle.
 
     Examples
     --------

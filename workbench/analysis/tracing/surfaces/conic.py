@@ -22,18 +22,9 @@ class ConicSurface:
     Rays meet a conic in closed form (ISO 10110-12 without coefficients), and an asphere by Newton's
     method within a bracket.
 
-    Parameters
-    ----------
-    face : ConicFace
-        Its shape.
-    z : float
-        Where its vertex is.
-    outline : Outline
-        What of it belongs to the element.
-    missed : str
-        See `TracedFace`.
-    aperture_z : float, optional
-        Plane whose outline light passes first; other rays miss the face.
+    `face`: its shape; `z`: where its vertex is; `outline`: what of it belongs to the element;
+    `missed`: see `TracedFace`; `aperture_z`: plane whose outline light passes first; other rays
+    miss the face.
     """
 
     def __init__(

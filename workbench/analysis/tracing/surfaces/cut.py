@@ -10,14 +10,8 @@ _STEPS = 3  # from the face that was to be cut onto what was: they are closer th
 class CutSurface:
     """What a cutter leaves of the last face of a lens; a `TracedFace`.
 
-    Parameters
-    ----------
-    designed : TracedFace
-        The face that was to be cut.
-    raster : Raster
-        The cuts; z in scene units.
-    front_z : float
-        Where the plane is from which rays count z.
+    `designed`: the face that was to be cut; `raster`: the cuts; z in scene units; `front_z`: where
+    the plane is from which rays count z.
     """
 
     def __init__(self, designed: TracedFace, raster: Raster, front_z: float) -> None:

@@ -16,12 +16,7 @@ class MovedFace(SplineFace):
     Rays come and go in the coordinates of the lens. There is always a face before it, so that
     `lit` is not asked of it.
 
-    Parameters
-    ----------
-    lens, control_points, missed
-        See `SplineFace`.
-    pose : Pose
-        How the exit face stands.
+    `lens`, `control_points`, `missed`: see `SplineFace`; `pose`: how the exit face stands.
     """
 
     def __init__(self, lens: Lens, control_points: Array, missed: str, pose: Pose) -> None:

@@ -14,16 +14,8 @@ class PlacedSurface:
 
     A ray goes forwards only: a face that is behind its beginning is missed.
 
-    Parameters
-    ----------
-    face : TracedFace
-        The face.
-    turn : ndarray, shape (3, 3)
-        Takes vectors of the element, as columns, to the walk.
-    shift : ndarray, shape (3,)
-        Where the element's origin is.
-    size : float
-        About how large the element is.
+    `turn` (3, 3): takes vectors of the element, as columns, to the walk; `shift` (3,): where the
+    element's origin is; `size`: about how large the element is.
     """
 
     def __init__(self, face: TracedFace, turn: Array, shift: Array, size: float) -> None:

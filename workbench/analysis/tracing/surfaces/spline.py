@@ -22,16 +22,8 @@ _LOOKS, _CLOSE = (32, 512), 1e-9
 class SplineFace:
     """The exit face of a lens, lit from inside; a `TracedFace`.
 
-    Parameters
-    ----------
-    optic : Element
-        The lens.
-    control_points : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
-    missed : str
-        See `TracedFace`.
-    net : ControlNet, optional
-        Where the control points sit; the net of the face that the task shapes by default.
+    `control_points` (n_u, n_v): control heights, scene units; `missed`: see `TracedFace`; `net`:
+    where the control points sit; the net of the face that the task shapes by default.
     """
 
     def __init__(
