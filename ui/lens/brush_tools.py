@@ -42,11 +42,8 @@ class Brush:
     @property
     def place(self) -> str:
         """Name of the edited face and a full stop, where there are several faces."""
-        optic, nets = self._view.optic, self._view.nets
-        if optic is None or len(nets.faces) < 2:
-            return ""
-        name = tr(optic.face_in_words(nets.face))
-        return f"{name[0].upper()}{name[1:]}. "
+        title = self._view.face_title
+        return f"{title}. " if title else ""
 
     @property
     def words(self) -> str:
@@ -211,7 +208,6 @@ class Lock(BrushTool):
             self._view.nets.show_locked(paint.locked)
 
 
-_ALONG = np.array([[0.0, 0.0, 1.0]])
 _FINE = 1 / 20  # of the movement of the hand or key, with Shift
 _RISE = (
     1 / 100
@@ -225,6 +221,7 @@ class _ControlDrag:
     face: str
     stroke: Stroke
     place: Array  # of the control point in the middle, shape (3,)
+    along: Array  # the axis of its element, shape (1, 3)
     at: Pointer | None  # None with a key
     rise: float = 0.0
 
@@ -273,7 +270,7 @@ class Sculpt(BrushTool):
         if drag is None or drag.at is None or sight is None:
             return
         moved = (at.x - drag.at.x, at.y - drag.at.y)
-        (rise,) = sight.movement(drag.place, _ALONG, moved)
+        (rise,) = sight.movement(drag.place, drag.along, moved)
         drag.at = at
         self._raise(drag, float(rise), at.fine)
 
@@ -306,7 +303,8 @@ class Sculpt(BrushTool):
             return
         stroke = Stroke(optic, face, heights[face], nets.locked, index, self._brush.radius)
         if stroke.moves:
-            self._drag = _ControlDrag(heights, face, stroke, net.places[index].copy(), at)
+            along = optic.turn[None, :, 2]
+            self._drag = _ControlDrag(heights, face, stroke, net.places[index].copy(), along, at)
         else:
             self.refused.emit(
                 tr("All control points under the brush are locked. Unlock some first.")

@@ -20,12 +20,12 @@ from ui.shown.frame import Frame, make_frame, same_task
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
-from workbench.design.limits import bounded, undesigned
+from workbench.design.limits import HeightLimits, bounded
 from workbench.design.methods import Evaluator
 from workbench.design.snapshot import History
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.optics.ready import without_waiting
 from workbench.scene import Scene
 
@@ -165,6 +165,7 @@ class LensTools(QObject):
             return
         self._view.drop()
         nets.choose(nets.faces[nets.faces.index(nets.face) - 1])
+        optic = self._view.optic or optic
         self._view.fit("lens" if optic.outwards(nets.face) > 0 else "entrance")
 
     def _resize(self, steps: int) -> None:
@@ -185,8 +186,8 @@ class LensTools(QObject):
         frame, scene = self._view.frame, self._document.session.scene
         there = (
             frame is not None
-            and frame.session.scene.optic == scene.optic
-            and bounded(scene) == self._view.optic
+            and frame.session.scene.optics == scene.optics
+            and bounded(scene.focused_on(self._view.nets.face)) == self._view.optic
         )
         if not there:
             self._say(_NO_LENS)
@@ -275,11 +276,10 @@ class LensTools(QObject):
     def _lock(self, change: Callable[[Mask], Mask], text: str) -> None:
         if self._is_idle():
             session = self._document.session
-            nets = freeform_nets(session.scene.optic)
             self._set_locked(
                 {
                     face: change(session.locked.get(face, np.zeros(net.shape, dtype=bool)))
-                    for face, net in nets.items()
+                    for face, net in nets_of(session.scene).items()
                 },
                 text,
             )
@@ -315,5 +315,7 @@ def _differ_by_source(one: "Session", other: "Session") -> bool:
 
 
 def _lens_of(session: "Session") -> "ControlHeights":
-    heights = session.heights
-    return undesigned(bounded(session.scene)) if heights is None else heights
+    if session.heights is not None:
+        return session.heights
+    limits = HeightLimits.of_scene(session.scene)
+    return FaceArrays({face: each.undesigned for face, each in limits.items()})

@@ -19,7 +19,7 @@ from ui.words import later, tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.arrays import Array
-from workbench.geometry.surface import even_counts
+from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 
@@ -76,7 +76,7 @@ class FaceMap(ImageView):
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
         """Show the maps of a frame, by face."""
         self._maps = maps
-        self.faces.offer(frame.session.scene.optic)
+        self.faces.offer(frame.session.scene)
         self.show_frame(frame)
         self._choose()
 
@@ -110,7 +110,8 @@ class FaceMap(ImageView):
         return np.zeros((1, 1))  # the map is drawn at the beginning
 
     def _extent(self, session: "Session") -> Extent:
-        return Extent.around(session.scene.optic.half_width, session.scene.unit)
+        optic = session.scene.focused_on(self.faces.face).optic
+        return Extent.around(optic.half_width, session.scene.unit)
 
     def _unit(self, session: "Session") -> str:
         return map_unit(self._name, session.scene.unit).removeprefix("1 ")
@@ -118,7 +119,7 @@ class FaceMap(ImageView):
 
 class _Found(NamedTuple):
     frame: "Frame"
-    figures: Manufacture
+    figures: dict[str, Manufacture]  # by the names of elements
     maps: dict[str, SurfaceMaps]
 
 
@@ -148,6 +149,7 @@ class ManufacturePane(SideBySide):
             lambda _, error: figures.say(sentence_of(error, tr("analysis of the face")))
         )
         self._fields.changed.connect(self.map.show_limits)
+        self.map.faces.currentIndexChanged.connect(self._show_figures)
 
     def show_design(self, session: "Session") -> None:
         self._fields.show_scene(session.scene)
@@ -215,12 +217,15 @@ class ManufacturePane(SideBySide):
         # One behind another tab is not hidden, but nothing of it is seen.
         if frame is None or self._background.busy or self.visibleRegion().isEmpty():
             return
-        optic = frame.session.scene.optic
-        heights, count = frame.state.heights, even_counts(optic.half_width, _PLACES)
+        optics, heights = frame.session.scene.optics, frame.state.heights
 
         def work(task: Task) -> _Found:
-            maps = {face: surface_maps(optic, heights, count, face) for face in heights}
-            return _Found(frame, manufacture(optic, heights), maps)
+            maps = {
+                face: surface_maps(optic, heights, even_counts(optic.half_width, _PLACES), face)
+                for optic in optics
+                for face in freeform_nets(optic)
+            }
+            return _Found(frame, {each.name: manufacture(each, heights) for each in optics}, maps)
 
         self._background.begin(work)
 
@@ -229,6 +234,12 @@ class ManufacturePane(SideBySide):
             return
         if same_light(found.frame, self._frame):
             self._found = found
-            self._figures.show_found(found.figures, found.frame.session.scene.unit)
             self.map.show_maps(found.frame, found.maps)
+            self._show_figures()
         self.look()
+
+    def _show_figures(self) -> None:
+        if self._found is not None:
+            scene = self._found.frame.session.scene
+            name = scene.focused_on(self.map.faces.face).optic.name
+            self._figures.show_found(self._found.figures[name], scene.unit)

@@ -58,7 +58,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
     return Frame(
         session=session,
         snapshot=snapshot,
-        surfaces=sample_faces(scene.optic, heights, _SURFACE_SAMPLES),
+        surfaces=sample_faces(scene.optics, heights, _SURFACE_SAMPLES),
         source=source,
         paths=ray_paths(lit, heights, (RAYS, RAYS)),
         result=history.ended_with(snapshot),

@@ -15,7 +15,7 @@ from ui.views.view import ComputingView
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.geometry.faces import ControlPoint
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
 
@@ -83,7 +83,7 @@ class DerivativeView(PlotView, ComputingView):
     def show_frame(self, frame: "Frame") -> None:
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
-            self._faces.offer(frame.session.scene.optic)
+            self._faces.offer(frame.session.scene)
         super().show_frame(frame)
         self._show_veil()
         self._offer()
@@ -115,7 +115,7 @@ class DerivativeView(PlotView, ComputingView):
     def _offer(self) -> None:
         if self._frame is None:
             return
-        net = freeform_nets(self._frame.session.scene.optic)[self._faces.face]
+        net = nets_of(self._frame.session.scene)[self._faces.face]
         for box, n in zip(self._boxes, net.shape, strict=True):
             if box.maximum() != n - 1:
                 with QSignalBlocker(box):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
     from workbench.pictures.surface import FaceColours
-    from workbench.scene import Element
+    from workbench.scene import Scene
 
 
 class FaceNets(QObject):
@@ -48,12 +48,12 @@ class FaceNets(QObject):
 
     @property
     def face(self) -> str:
-        """Name of the selected face; empty before the first drawing."""
+        """Id of the selected face; empty before the first drawing."""
         return self._face
 
     @property
     def faces(self) -> tuple[str, ...]:
-        """Names of all freeform faces, in the order of the light."""
+        """Ids of all freeform faces, in the order of the light."""
         return tuple(self._pictures)
 
     @property
@@ -126,7 +126,7 @@ class FaceNets(QObject):
             self._marked = point
             self.changed.emit()
 
-    def begin(self, plotter: Any, optic: "Element", *, dark: bool) -> None:
+    def begin(self, plotter: Any, scene: "Scene", *, dark: bool) -> None:
         # Late: these take seconds to load.
         from workbench.geometry.surface import freeform_nets
         from workbench.pictures.control_net import ControlNetPicture
@@ -134,11 +134,12 @@ class FaceNets(QObject):
 
         self._pictures = {
             face: ControlNetPicture(plotter, optic, face, dark=dark)
+            for optic in scene.optics
             for face in freeform_nets(optic)
         }
         self._sight = Projection(plotter)
         if self._face not in self._pictures:
-            self._face, self._brush = optic.designed_face, None
+            self._face, self._brush = scene.optic.designed_face, None
 
     def draw(self, heights: "ControlHeights", shown: bool) -> None:
         """Update the nets; show that of the selected face if a tool needs it."""
@@ -213,7 +214,7 @@ class SceneContents:
             perspective=look.perspective,
             by_weight=look.by_weight,
         )
-        self.nets.begin(plotter, session.scene.optic, dark=dark)
+        self.nets.begin(plotter, session.scene, dark=dark)
         if self.handles is not None:
             self.handles.close()
         self.handles = SourceHandles(plotter, dark=dark)

@@ -26,6 +26,7 @@ from ui.views.tools import Pointer, Tool, ToolInput, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
+from ui.words import begun, tr
 from workbench.arrays import Array
 from workbench.design.limits import bounded
 
@@ -86,8 +87,17 @@ class SceneView(View):
 
     @property
     def optic(self) -> "Element | None":
-        """The shown element with its bounds."""
-        return None if self._shown is None else bounded(self._shown.scene)
+        """The element of the selected face, with its bounds."""
+        if self._shown is None:
+            return None
+        return bounded(self._shown.scene.focused_on(self.nets.face))
+
+    @property
+    def face_title(self) -> str:
+        """Title of the selected face; empty for a single one."""
+        if self._shown is None or len(self.nets.faces) < 2:
+            return ""
+        return begun(tr(self._shown.scene.face_in_words(self.nets.face)))
 
     @property
     def source(self) -> "Source | None":
@@ -213,6 +223,7 @@ class SceneView(View):
         picture = self._contents.picture
         if picture is not None:
             picture.camera.hidden = self._pixels_of_hint()
+            picture.camera.choose(self.nets.face)
             picture.fit(view)
             self._plotter.update()
 

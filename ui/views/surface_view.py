@@ -1,4 +1,4 @@
-"""A choice between the freeform faces of an optic."""
+"""Choice of a freeform face of a scene, and maps of one."""
 
 from typing import TYPE_CHECKING, BinaryIO
 
@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
 from ui.views.image_view import ImageView
 from ui.widgets.controls import STRETCH, filled
-from ui.words import tr
+from ui.words import begun, tr
 from workbench.arrays import Array
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.pictures.axes import Column, Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
-from workbench.scene import Element
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,11 +28,12 @@ class FaceChoice(QComboBox):
         super().__init__()
         self.setAccessibleName(tr("Face"))
         self.setToolTip(tr("Choose the freeform face"))
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.hide()
 
     @property
     def face(self) -> str:
-        """The name of the chosen face; empty before an optic is known."""
+        """Id of the chosen face; empty before a scene is known."""
         return str(self.currentData() or "")
 
     @property
@@ -43,17 +44,16 @@ class FaceChoice(QComboBox):
     def choose(self, face: str) -> None:
         self.setCurrentIndex(self.findData(face))
 
-    def offer(self, optic: Element) -> None:
-        """Offer the faces of an element; the selection stays where possible."""
-        faces = list(freeform_nets(optic))
+    def offer(self, scene: Scene) -> None:
+        """Offer the freeform faces of a scene; the selection stays where possible."""
+        faces = list(nets_of(scene))
         if faces == [self.itemData(number) for number in range(self.count())]:
             return
-        chosen = self.face if self.face in faces else optic.designed_face
+        chosen = self.face if self.face in faces else scene.optic.designed_face
         with QSignalBlocker(self):
             self.clear()
             for face in faces:
-                name = tr(optic.face_in_words(face))
-                self.addItem(f"{name[0].upper()}{name[1:]}", face)
+                self.addItem(begun(tr(scene.face_in_words(face))), face)
             self.choose(chosen)
         self.setVisible(len(faces) > 1)
 
@@ -104,13 +104,14 @@ class SurfaceView(ImageView):
         self._begin_anew()
 
     def _extent(self, session: "Session") -> Extent:
-        return Extent.around(session.scene.optic.half_width, session.scene.unit)
+        optic = session.scene.focused_on(self._faces.face).optic
+        return Extent.around(optic.half_width, session.scene.unit)
 
     def _unit(self, session: "Session") -> str:
         return self._aspect.unit.format(session.scene.unit).removeprefix("1 ")
 
     def _new_image(self, axes: "Axes", session: "Session") -> SurfaceImage:
-        self._faces.offer(session.scene.optic)
+        self._faces.offer(session.scene)
         return SurfaceImage(axes, session.scene, self._aspect, self._faces.face)
 
     def _shown_array(self, frame: "Frame") -> Array:

@@ -11,12 +11,12 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.forms import Forms
 from ui.widgets.messages import MessageBar, Offer
-from ui.words import error_text, later, tr
+from ui.words import begun, error_text, later, tr
 from workbench.design.task import changed_on_disk, why_not_kept
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.powers import written
 from workbench.scene import AutoNet, Scene
 from workbench.scene.faces import LARGEST_NET
@@ -219,16 +219,18 @@ class _ChangedNet(NamedTuple):
 
 
 def _changed_net(before: Scene, after: Scene) -> _ChangedNet | None:
-    """The first face with another net, of those that both have; the exit face before the other."""
-    optic = after.optic
-    old, new = freeform_nets(before.optic), freeform_nets(optic)
+    """The last face with another net, of those that both have."""
+    old, new = nets_of(before), nets_of(after)
     changed = [face for face in new if face in old and old[face] != new[face]]
     if not changed:
         return None
-    if optic.designed_face in changed:
-        face, name = optic.designed_face, tr("The {optic}", optic=optic.called)
+    *_, face = changed
+    if len(after.optics) > 1:
+        name = begun(tr(after.face_in_words(face)))
+    elif face == after.optic.designed_face:
+        name = tr("The {optic}", optic=after.optic.called)
     else:
-        (face,), name = changed, tr("The entrance face")
+        name = tr("The entrance face")
     path = f"{after.face_path(face)}.control_points"
     automatic = isinstance(value_at(after, path), AutoNet)
     return _ChangedNet(face, old[face], new[face], path, name, automatic)

@@ -214,6 +214,12 @@ def add_export(commands: Any) -> None:
             help=f"{does}, {least:g} to {most:g} {unit} [%(default)g]",
         )
     parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
+    parser.add_argument(
+        "--element",
+        metavar="NAME",
+        help="designed element that files of one element hold [the last one]; "
+        ".train.step holds all elements",
+    )
 
 
 def _run_export(options: argparse.Namespace) -> None:
@@ -230,7 +236,8 @@ def _run_export(options: argparse.Namespace) -> None:
         options.dwell,
         options.negative,
     )
-    export(options.session, options.files, options.chord_error, cutting, options.mesh_unit)
+    unit, element = options.mesh_unit, options.element
+    export(options.session, options.files, options.chord_error, cutting, unit, element)
 
 
 def add_pictures(commands: Any) -> None:

@@ -2,19 +2,28 @@
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any, NamedTuple
 
-from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture, surface_maps
+from workbench.analysis.manufacture import (
+    Extreme,
+    FaceFigures,
+    Manufacture,
+    SurfaceMaps,
+    surface_maps,
+)
 from workbench.analysis.manufacture import manufacture as compute_figures
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
+from workbench.arrays import Array
 from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.session import read_session
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.scene import Element
 from workbench.units import sized
 
 # Samples of a map along the longer side of the lens.
@@ -22,7 +31,7 @@ _SAMPLES = 513
 
 
 def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) -> None:
-    """Print the manufacturing figures of a session's lens, and whether limits are met.
+    """Print the manufacturing figures of each designed element, and whether limits are met.
 
     Raise Refused if the session has no lens or the plot cannot be written; RunFailed, after
     printing, if a limit is not met or the lens is no solid body.
@@ -32,36 +41,65 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     scene = session.scene
     if plot is not None:
         check_writable(plot)
-    found = compute_figures(scene.optic, result.state.heights)
-    if limits.min_thickness is None:
-        limits = replace(limits, min_thickness=scene.optic.least_thickness)
+    heights = result.state.heights
     if limits.min_tool_radius is None:
         limits = replace(limits, min_tool_radius=scene.run.min_tool_radius)
-    judged = verdicts(found, limits)
+    looked = [_Looked.at(optic, heights, limits) for optic in scene.optics]
+    last = looked[-1]
     if as_json:
-        listed = [v._asdict() | {"found": v.found.to_data()} for v in judged]
-        print(json.dumps({"unit": scene.unit} | found.to_data() | {"limits": listed}))
+        data = {"unit": scene.unit, **last.to_data()}
+        if len(looked) > 1:
+            data["elements"] = {each.optic.name: each.to_data() for each in looked}
+        print(json.dumps(data))
     else:
-        _print(found, judged, scene.unit)
+        for each in looked:
+            if len(looked) > 1:
+                print(each.optic.name)
+            _print(each.found, each.judged, scene.unit)
     if plot is not None:
         from workbench.pictures.manufacture import write_manufacture  # slow import
 
-        count = even_counts(scene.optic.half_width, _SAMPLES)
-        maps = {
-            scene.optic.face_in_words(face): surface_maps(
-                scene.optic, result.state.heights, count, face
+        maps: dict[str, SurfaceMaps] = {
+            scene.face_in_words(face): surface_maps(
+                optic, heights, even_counts(optic.half_width, _SAMPLES), face
             )
-            for face in reversed(freeform_nets(scene.optic))
+            for optic in reversed(scene.optics)
+            for face in reversed(freeform_nets(optic))
         }
         with replacing(plot) as file:
-            write_manufacture(file, maps, limits, scene.unit)
-    broken = [_sentence(v, scene.unit) for v in judged if v.state == "broken"]
+            write_manufacture(file, maps, last.limits, scene.unit)
+    broken = [
+        f"{each.optic.name}: {_sentence(v, scene.unit)}"
+        if len(looked) > 1
+        else _sentence(v, scene.unit)
+        for each in looked
+        for v in each.judged
+        if v.state == "broken"
+    ]
     try:
-        check_body(scene, result.state.heights)
+        check_body(scene, heights)
     except Refused as refused:
         broken.insert(0, str(refused))
     if broken:
         raise RunFailed("; ".join(broken))
+
+
+class _Looked(NamedTuple):
+    optic: Element
+    found: Manufacture
+    limits: Limits
+    judged: list[Verdict]
+
+    @classmethod
+    def at(cls, optic: Element, heights: Mapping[str, Array], limits: Limits) -> "_Looked":
+        if limits.min_thickness is None:
+            limits = replace(limits, min_thickness=optic.least_thickness)
+        found = compute_figures(optic, heights)
+        return cls(optic, found, limits, verdicts(found, limits))
+
+    def to_data(self) -> dict[str, Any]:
+        listed = [v._asdict() | {"found": v.found.to_data()} for v in self.judged]
+        return self.found.to_data() | {"limits": listed}
 
 
 def _print(found: Manufacture, judged: Sequence[Verdict], unit: str) -> None:

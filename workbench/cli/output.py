@@ -26,7 +26,12 @@ from workbench.scene import Scene
 
 
 def export(
-    path: Path, files: Sequence[Path], chord_error: float | None, cutting: Cutting, mesh_unit: str
+    path: Path,
+    files: Sequence[Path],
+    chord_error: float | None,
+    cutting: Cutting,
+    mesh_unit: str,
+    element: str | None = None,
 ) -> None:
     """Write the lens of a session and its light in the formats of the file endings.
 
@@ -35,7 +40,7 @@ def export(
     """
     session = read_session(path)
     result_of(session, str(path))
-    for written in write_all(session, files, chord_error, cutting, mesh_unit):
+    for written in write_all(session, files, chord_error, cutting, mesh_unit, element=element):
         print(written.sentence, flush=True)
 
 

@@ -1,6 +1,6 @@
 """Freeform faces: tensor-product B-splines whose x and y are linear in u and v."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -219,15 +219,16 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
 
 
 def sample_faces(
-    optic: Element, heights: Mapping[str, Array], count: tuple[int, int]
+    optics: Element | Sequence[Element], heights: Mapping[str, Array], count: tuple[int, int]
 ) -> dict[str, Array]:
     """Return points (count_x, count_y, 3) of each freeform face on a grid including the rim.
 
-    ``heights`` are (n_u, n_v) by face, scene units. The points of all faces have the same x and y.
+    ``heights`` are (n_u, n_v) by face, scene units. The points of all faces of an element have the
+    same x and y; they are in the coordinates of the element.
     """
     u, v = (2 * np.linspace(0, 1, n) - 1 for n in count)
-    outline = outline_of(optic)
     return {
-        face: np.stack(net.over(outline, u, v, heights[face])[:3], axis=-1)
+        face: np.stack(net.over(outline_of(optic), u, v, heights[face])[:3], axis=-1)
+        for optic in ([optics] if isinstance(optics, Element) else optics)
         for face, net in freeform_nets(optic).items()
     }

@@ -89,7 +89,7 @@ def lens_image(
     try:
         picture = LensPicture(plotter, scene, session.target, explode=explode)
         picture.update(
-            sample_faces(scene.optic, heights, _SURFACE_SAMPLES),
+            sample_faces(scene.optics, heights, _SURFACE_SAMPLES),
             ray_paths(scene, heights, _RAYS),
             lights[0],
             further=lights[1:],

@@ -38,7 +38,8 @@ class FittedCamera:
     """Camera of a plotter, fitted to a scene; it renders nothing.
 
     `view`: the last fitted view; `hidden`: height in pixels of the lower part of the window that
-    `fit` leaves free; `top`: greatest z of the exit face as drawn.
+    `fit` leaves free; `tops`: greatest z of the last face of each designed element as drawn, by
+    name; `optic`: the designed element that the views "lens" and "entrance" show.
     """
 
     def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:
@@ -47,7 +48,12 @@ class FittedCamera:
         self._perspective = perspective
         self._fitted_state: tuple[object, ...] = ()
         self.view, self.hidden = "", 0
-        self.top = base_top(scene.optic)
+        self.tops = {optic.name: base_top(optic) for optic in scene.optics}
+        self.optic = scene.optic
+
+    def choose(self, name: str) -> None:
+        """Let views show another element, by its name or by the id of one of its faces."""
+        self.optic = self._scene.focused_on(name).optic
 
     def fit(self, view: str) -> None:
         """Turn the camera to a view and fit its corners into the window.
@@ -128,16 +134,15 @@ class FittedCamera:
 
     def _corners(self, view: str) -> Array:
         if view in ("lens", "entrance"):
-            return _on_optic(self._scene.optic, self.top)
+            return _on_optic(self.optic, self.tops[self.optic.name])
         if view == "screen":
             return _on_receiver(self._scene)
-        optic = self._scene.optic
-        return np.concatenate(
-            [scene_corners(self._scene), _on_optic(optic, self.top), axes_of(optic)]
-        )
+        optics = self._scene.optics
+        drawn = [_on_optic(optic, self.tops[optic.name]) for optic in optics]
+        return np.concatenate([scene_corners(self._scene), *drawn, axes_of(optics[0])])
 
     def _oblique(self, view: str) -> Array:
-        onwards = self._scene.optic.onwards
+        onwards = self.optic.onwards
         if view == "entrance":
             return _direction(math.radians(_LENS_AZIMUTH), math.radians(_ELEVATION), -1)
         clear = self._clear_azimuth()
@@ -154,8 +159,9 @@ class FittedCamera:
 
     def _clear_azimuth(self) -> float:
         places = _on_receiver(self._scene)
-        wide = self._scene.optic.half_width[0] + float(np.abs(places[:, 0]).max())
-        apart = self._scene.optic.onwards * (places[:, 2] - self.top)
+        optic = self.optic
+        wide = optic.half_width[0] + float(np.abs(places[:, 0]).max())
+        apart = optic.onwards * (places[:, 2] - self.tops[optic.name])
         across = math.atan2(wide, float(apart.min()))
         return min(across + math.radians(_CLEAR), math.pi / 2)
 
@@ -256,7 +262,8 @@ def base_top(optic: Element) -> float:
 
 
 def _on_optic(optic: Element, top: float) -> Array:
-    return _corners(optic.half_width, optic.front_z, top, optic.flat_z(np.array(top)))
+    heights = optic.front_z, top, optic.flat_z(np.array(top))
+    return optic.in_scene(_corners(optic.half_width, *heights))
 
 
 def _on_element(element: Element) -> Array:

@@ -43,12 +43,13 @@ class ControlNetPicture:
 
     def __init__(self, plotter: Any, optic: Element, face: str, *, dark: bool = False) -> None:
         self._net = freeform_nets(optic)[face]
+        self._optic = optic
         x, y = self._net.positions
-        self._places = np.zeros((len(x), len(y), 3))
-        self._places[..., 0], self._places[..., 1] = x[:, None], y
+        self._own = np.zeros((len(x), len(y), 3))  # in the coordinates of the element
+        self._own[..., 0], self._own[..., 1] = x[:, None], y
         self._shaping = self._net.shaping(outline_of(optic))  # others are not shown
         self._pick_distance = _PICK_PART * math.hypot(np.diff(x).max(), np.diff(y).max())
-        self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width) * optic.outwards(face)])
+        self._lift = _LIFT * max(optic.half_width) * optic.outwards(face) * optic.turn[:, 2]
         self._shown = False
         self._marked: tuple[int, int] | None = None
         self._brush: tuple[tuple[int, int], float] | None = None
@@ -72,7 +73,7 @@ class ControlNetPicture:
         )
         self._locks = PointMarkers(plotter, _LARGEST[2], round=False)
         self._projection = Projection(plotter)
-        self.update(self._places[..., 2])
+        self.update(self._own[..., 2])
         self.recolour(dark)
 
     @property
@@ -82,7 +83,8 @@ class ControlNetPicture:
 
     def update(self, heights: Array) -> None:
         """Set the control heights z, (n_u, n_v), scene units."""
-        self._places[..., 2] = heights
+        self._own[..., 2] = heights
+        self._places = self._optic.in_scene(self._own)
         self._resize()
         self._place()
 
@@ -113,11 +115,11 @@ class ControlNetPicture:
 
     def pick(self, x: float, y: float) -> tuple[int, int] | None:
         """Return the index of the control point nearest to a window pixel; None if none is near."""
-        start, end = self._projection.line(x, y)
+        start, end = map(self._optic.seen, self._projection.line(x, y))
         block = self._along(start, end)
         if block is None:
             return None
-        (i, j), distance = nearest_to_line(self._places[block], start, end)
+        (i, j), distance = nearest_to_line(self._own[block], start, end)
         index = block[0].start + i, block[1].start + j
         return index if distance <= self._pick_distance and self._shaping[index] else None
 
@@ -130,7 +132,7 @@ class ControlNetPicture:
         self._locks.colour(_LOCKED[dark])
 
     def _along(self, start: Array, end: Array) -> Block | None:
-        margin, z = self._pick_distance, self._places[..., 2]
+        margin, z = self._pick_distance, self._own[..., 2]
         rise = end[2] - start[2]
         if rise != 0:  # between the lowest and the highest point
             low, high = z.min() - margin, z.max() + margin

@@ -23,39 +23,23 @@ from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.arrays import Array
-from workbench.geometry.outlines import outline_of
-from workbench.geometry.surface import freeform_nets
 from workbench.pictures import meshes
 from workbench.pictures.actors import ColourScale, LitReceiver
 from workbench.pictures.camera import FittedCamera, axes_of, drawn_start_z, source_in_view
 from workbench.pictures.compressed import compress_distances, compress_paths
-from workbench.pictures.fixed_elements import add_fixed_elements
+from workbench.pictures.elements import DesignedElement, add_fixed_elements
 from workbench.pictures.images import LIGHT
 from workbench.pictures.surface import (
     FaceColours,
     colour_scale_of,
-    face_colours,
-    lit_normals,
     scale_top,
 )
-from workbench.scene import Element, Scene, Source
+from workbench.scene import Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
 
-_NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # most points of a grid that are drawn
-_BASE_SAMPLES = 33  # per axis, of the base shown until the first update
-# By `Element.called`; other kinds look like glass.
-_BODIES = {
-    "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
-    "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
-}
-_MATERIALS = {"lens": "#8fc1e8", "mirror": "#c3c8cf"}
-_FACES = {
-    "lens": {"opacity": 0.88, "ambient": 0.05, "specular": 0.5},
-    "mirror": {"opacity": 1.0, "ambient": 0.4, "specular": 1.0},
-}
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
 _GROUND = {
     True: ("#12151a", "#2a303a"),
@@ -99,8 +83,10 @@ class LensPicture:
         self._lines: list[Any] = []
         self._scale = ColourScale(plotter)
         self._camera = FittedCamera(plotter, self._scene, perspective=perspective)
-        self._add_lens()
-        self._lines += add_fixed_elements(self._add, self._scene, _style_of)
+        self._designed = [DesignedElement(self._add, optic) for optic in self._scene.optics]
+        for element in self._designed:
+            self._lines += element.lines
+        self._lines += add_fixed_elements(self._add, self._scene)
         self._add_receivers(target)
         self._add_source()
         self._add_axes()
@@ -132,7 +118,7 @@ class LensPicture:
         points = paths.points
         if self._explode:
             points, lit = compress_paths(points, lit), compress_distances(lit)
-        self._place_lens(surfaces)
+        self._place_elements(surfaces)
         self._place_source(lit)
         self._place_rays(paths._replace(points=points), lit)
         for receiver, light in zip(self._receivers, (irradiance, *further), strict=True):
@@ -197,55 +183,13 @@ class LensPicture:
             render=False,
         )
 
-    def _add_lens(self) -> None:
-        optic = self._scene.optic
-        side = np.linspace(-1, 1, _BASE_SAMPLES)
-        x, y = outline_of(optic).from_square(side[:, None], side)
-        nets, points = freeform_nets(optic), np.zeros((1, 3))
-        self._walls, self._edges = pv.PolyData(points), pv.PolyData(points)
-        self._faces = {face: (pv.PolyData(points), pv.PolyData(points)) for face in nets}
-        self._samples = (0, 0)
-        self._place_lens(
-            {face: np.stack([x, y, optic.place_of(face, x, y)], axis=-1) for face in nets}
-        )
-        actors = [self._add(self._walls, body=True, **_BODIES[optic.called])]
-        for face, net in self._faces.values():
-            style: dict[str, Any] = {"diffuse": 0.9, "specular_power": 30, **_FACES[optic.called]}
-            actor = self._add(face, body=True, scalars="colour", rgb=True, **style)
-            actor.prop.color = _MATERIALS[optic.called]
-            actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
-            self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
-            actors += [actor, self._lines[-1]]
-        self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
-        for actor in [*actors, self._lines[-1]]:
-            actor.user_matrix = _place_of(optic)
-
-    def _place_lens(self, surfaces: Mapping[str, Array]) -> None:
-        optic = self._scene.optic
-        surface = surfaces[optic.designed_face]
-        self._camera.top = float(surface[..., 2].max())
-        others = [surfaces[face][..., 2] for face in self._faces if face != optic.designed_face]
-        walls = meshes.wall_points(surface, others[0] if others else optic.flat_z(surface[..., 2]))
-        for mesh in (self._walls, self._edges):
-            mesh.points = walls
-        m_u, m_v = surface.shape[:2]
-        by, material = self._face_colours, _MATERIALS[optic.called]
+    def _place_elements(self, surfaces: Mapping[str, Array]) -> None:
+        by = self._face_colours
         top = scale_top(surfaces.values(), by)
         self._scale.show(colour_scale_of(by, top, self._scene.unit), self._title)
-        for face, (mesh, net) in self._faces.items():
-            mesh.points = net.points = surfaces[face].reshape(-1, 3)
-            if (m_u, m_v) != self._samples:
-                mesh.faces = meshes.quads(m_u, m_v)
-                net.lines = meshes.net_lines(m_u, m_v, _NET_FIELDS)
-                net.verts = np.zeros(0, dtype=np.int64)
-            mesh.point_data["colour"] = face_colours(surfaces[face], by, material, top)
-            mesh.point_data.active_normals = lit_normals(surfaces[face], self._exaggerated)
-        if (m_u, m_v) != self._samples:
-            self._samples = (m_u, m_v)
-            straight = outline_of(optic).whole
-            self._walls.faces = meshes.wall_faces(m_u, m_v, straight, flat=not others)
-            self._edges.lines = meshes.wall_lines(m_u, m_v, straight, flat=not others)
-            self._edges.verts = np.zeros(0, dtype=np.int64)
+        for element in self._designed:
+            element.place(surfaces, by, top, self._exaggerated)
+            self._camera.tops[element.optic.name] = element.top
 
     def _add_receivers(self, target: npt.NDArray[Any]) -> None:
         images = self._traced.wanted(target)
@@ -324,8 +268,7 @@ class LensPicture:
         self._rays.point_data["colour"] = along.reshape(-1, 4)
 
     def _add_axes(self) -> None:
-        optic = self._scene.optic
-        origin, *places = axes_of(optic)
+        origin, *places = axes_of(self._scene.optics[0])
         for place, (name, colour) in zip(places, _AXES, strict=True):
             arm = pv.Line(origin, origin + 0.8 * (place - origin))
             self._add(arm, color=colour, line_width=2.5, lighting=False)
@@ -354,14 +297,3 @@ def _axis(scene: Scene) -> Array:
     first = [scene.elements[0].position[0], scene.elements[0].position[1], start]
     last = outline.reshape(-1, 3).mean(axis=0)
     return np.array([first, *(element.position for element in scene.elements), last])
-
-
-def _place_of(optic: Element) -> Array:
-    """Matrix (4, 4) that takes points of an element to the scene; see `Element.in_scene`."""
-    place = np.eye(4)
-    place[:3, :3], place[:3, 3] = optic.turn, optic.origin
-    return place
-
-
-def _style_of(element: Element) -> Mapping[str, Any]:
-    return _BODIES.get(element.called, _BODIES["lens"])

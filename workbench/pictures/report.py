@@ -1,5 +1,6 @@
 """Report: A4 pages with headings, rows and pictures, and the pictures themselves."""
 
+import math
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from matplotlib.transforms import Bbox, BboxBase
 
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.pictures import lens_image
 from workbench.pictures.error_curves import draw_errors
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
@@ -251,8 +252,9 @@ def draw_lens(figure: "FigureBase", session: Session, lights: Sequence[Array]) -
 def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
     """Draw irradiance, target, signed error and the heights of each face over its base."""
     scene, target, result = session.scene, session.target, result_of(session)
-    faces = list(reversed(freeform_nets(scene.optic)))
-    lit, wanted, off, *others = figure.subplots(1 + len(faces), 2, gridspec_kw=_APART).ravel()
+    faces = list(reversed(nets_of(scene)))
+    rows = 1 + math.ceil((1 + len(faces)) / 2)
+    lit, wanted, off, *others = figure.subplots(rows, 2, gridspec_kw=_APART).ravel()
     IrradianceImage(lit, scene, target).update(irradiance)
     IrradianceImage(wanted, scene, target).update(
         target_irradiance(scene, target, scene.receiver.total(irradiance))
@@ -262,7 +264,8 @@ def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> No
     titles = [density, "Target", f"{density} − target"]
     for axes, face in zip(others, faces, strict=False):
         SurfaceImage(axes, scene, ASPECTS[0], face).update(result.state.heights[face])
-        titles.append(f"{scene.optic.face_in_words(face)} over its base".capitalize())
+        words = scene.face_in_words(face)
+        titles.append(f"{words[0].upper()}{words[1:]} over its base")
     for axes, title in zip((lit, wanted, off, *others), titles, strict=False):
         axes.set_title(title, fontsize=_FONT)
     for axes in others[len(faces) :]:

@@ -196,15 +196,16 @@ class SurfaceImage(UpdatedPicture):
     """
 
     def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect, face: str = "") -> None:
-        optic = scene.optic
+        face = face or scene.optic.designed_face
+        optic = scene.focused_on(face).optic
         self._aspect = aspect
-        self._net = freeform_nets(optic)[face or optic.designed_face]
+        self._net = freeform_nets(optic)[face]
         count_x, count_y = even_counts(optic.half_width, _PLACES)
         self._u, self._v = ((np.arange(n) + 0.5) / n for n in (count_x, count_y))
         x, y = (2 * self._u - 1) * optic.half_width[0], (2 * self._v - 1) * optic.half_width[1]
         # Nothing is shown beside the lens.
         self._beside = np.where(outline_of(optic).contains(x[:, None], y), 0.0, np.nan)
-        self._base = optic.place_of(face or optic.designed_face, x[:, None], y)
+        self._base = optic.place_of(face, x[:, None], y)
         self._size = max(optic.half_width) ** aspect.length  # of values that are more than rounding
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]

@@ -1,5 +1,6 @@
 """Assembly of a session's report, with a fresh check of its lens."""
 
+import math
 from collections.abc import Iterator, Mapping
 from datetime import datetime
 from functools import partial
@@ -19,7 +20,7 @@ from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.design.task import origin
 from workbench.errors import visible
 from workbench.extended.bound import Bound
-from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.geometry.surface import even_counts, freeform_nets, nets_of
 from workbench.measured.lamps import light_unit
 from workbench.pictures import report as pictures
 from workbench.pictures.train_section import draw_train_section
@@ -37,7 +38,7 @@ from workbench.report.figures import (
     tracer_rows,
 )
 from workbench.report.scene_rows import scene_rows
-from workbench.scene import Scene
+from workbench.scene import Element, Scene
 from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
 
 _SAMPLES = 257  # samples of maps along the longer side of the lens
@@ -99,7 +100,7 @@ def gather(
             )
         ),
         *([_mitsuba_section(session, rays)] if with_mitsuba else []),
-        _manufacture(scene, heights),
+        *(_manufacture(scene, optic, heights) for optic in scene.optics),
     ]
     if tolerances is not None:
         sections.append(_tolerances(session, *tolerances, max(rays // 4, 1)))
@@ -125,7 +126,7 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
     scene, light = session.scene, found.irradiance
     own = result_of(session).state.irradiance
     difference, remark = relative_l2(light, own), found.beside_run(own, scene.receiver)
-    faces = [scene.optic.face_in_words(face) for face in reversed(freeform_nets(scene.optic))]
+    faces = [scene.face_in_words(face) for face in reversed(nets_of(scene))]
     drawn, read = (side_in_words(scene, side(scene)) for side in (pixel_side, viewed_from))
     yield Section(
         f"Independent check{which}",
@@ -149,7 +150,8 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
             PagePicture(
                 f"Images and {' and '.join(faces)}",
                 partial(pictures.draw_images, session=session, irradiance=light),
-                _row(scene.receiver.half_extent, scene.optic.half_width) * (1 + len(faces)),
+                _row(scene.receiver.half_extent, *(optic.half_width for optic in scene.optics))
+                * (1 + math.ceil((1 + len(faces)) / 2)),
             ),
             PagePicture(
                 f"Cross-sections through the middle of the {scene.receiver.called}",
@@ -185,8 +187,7 @@ def _row(*half_widths: tuple[float, float]) -> float:
     return min(_BESIDE + _PANEL * max(y / x for x, y in half_widths), _ROW)
 
 
-def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
-    optic = scene.optic
+def _manufacture(scene: Scene, optic: Element, heights: Mapping[str, Array]) -> Section:
     limits = Limits(
         min_thickness=optic.least_thickness,
         min_radius=scene.run.min_radius,
@@ -197,10 +198,10 @@ def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
     for face in reversed(freeform_nets(optic)):
         maps = surface_maps(optic, heights, count, face)
         draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
-        name = f"Thickness, slope and curvature of the {optic.face_in_words(face)}"
+        name = f"Thickness, slope and curvature of the {scene.face_in_words(face)}"
         drawn.append(PagePicture(name, draw, 2 * _row(optic.half_width)))
     return Section(
-        "Manufacture",
+        "Manufacture" if len(scene.optics) == 1 else f"Manufacture of {optic.name}",
         manufacture_rows(manufacture(optic, heights), limits, scene.unit),
         tuple(drawn),
         note=f"Found at a place (x, y) in {scene.unit}, and a bound that holds everywhere. Limits "

@@ -200,6 +200,27 @@ class Scene(Part):
         return self.elements[self.designed_number].lit(self.source.wavelength)
 
     @property
+    def optics(self) -> tuple[Element, ...]:
+        """All elements that the design shapes, as the source's light meets them."""
+        return tuple(self.elements[k].lit(self.source.wavelength) for k in self.designed_numbers)
+
+    def focused_on(self, name: str) -> "Scene":
+        """The one of `focused` for an element, by its name or by the id of one of its faces.
+
+        The scene itself if the design shapes no element of that name.
+        """
+        name = name.partition(".")[0]
+        return next((each for each in self.focused if each.optic.name == name), self)
+
+    def face_in_words(self, face: str) -> Said:
+        """What a designed face is called within a sentence, by its id."""
+        optic = self.focused_on(face).optic
+        words = Said(optic.face_in_words(face))
+        if len(self.designed_numbers) == 1:
+            return words
+        return Said("{face} of {element}", face=words, element=optic.name)
+
+    @property
     def first(self) -> Element:
         """The element that light meets first: its outline is the aperture of all light."""
         return self.elements[0].lit(self.source.wavelength)

@@ -16,7 +16,7 @@ from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.progress import Progress, no_progress
 from workbench.said import Said
-from workbench.scene import ConicFace, Scene
+from workbench.scene import ConicFace, Element, Scene
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -33,14 +33,14 @@ _STEPS, _IN_SPAN = 256, 2
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A designed lens, seen at one of its freeform faces."""
+    """A design, seen at one freeform face of one designed element."""
 
     scene: Scene
     result: Result
     # Largest distance of a mesh from the freeform faces, scene units; 1e-4 of the larger half-width
     # by default.
     chord_error: float | None = None
-    # Face of ``net`` and ``heights``, by its id; by default the last one.
+    # Face of ``net`` and ``heights``, by its id; by default the last one of `Scene.optic`.
     face: str | None = None
     cutting: Cutting = PLAIN  # options of G-code
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
@@ -63,46 +63,56 @@ class Design:
         return float(units.ratio(self.unit, self.mesh_unit))
 
     @property
+    def optic(self) -> Element:
+        """The element of the face."""
+        return self.scene.optic if self.face is None else self.scene.focused_on(self.face).optic
+
+    @property
     def heights(self) -> Array:
         """Control heights of the face, shape (n_u, n_v)."""
-        return self.result.state.heights[self.face or self.scene.optic.designed_face]
+        return self.result.state.heights[self.face or self.optic.designed_face]
 
     @cached_property
     def net(self) -> ControlNet:
         """Control net of the face."""
-        return freeform_nets(self.scene.optic)[self.face or self.scene.optic.designed_face]
+        return freeform_nets(self.optic)[self.face or self.optic.designed_face]
 
     def at_front(self, front: bool) -> "Design":
         """The lens seen at its freeform front face, or at its last face."""
-        return replace(self, face=self.scene.optic.designed_front if front else None)
+        optic = self.optic
+        return replace(self, face=optic.designed_front if front else optic.designed_face)
+
+    def of(self, element: Element) -> "Design":
+        """The design seen at the last face of another designed element."""
+        return replace(self, face=element.designed_face)
 
     @cached_property
     def faces(self) -> tuple["Design", ...]:
-        """The lens seen at each of its freeform faces, the entrance face last."""
-        names = reversed(freeform_nets(self.scene.optic))
+        """The element seen at each of its freeform faces, the entrance face last."""
+        names = reversed(freeform_nets(self.optic))
         return tuple(replace(self, face=name) for name in names)
 
     @cached_property
     def outline(self) -> Outline:
         """Outline of the element."""
-        return outline_of(self.scene.optic)
+        return outline_of(self.optic)
 
     @property
     def outward(self) -> int:
         """1 if normals of the face that point out of the body point to +z, -1 if to -z."""
-        return self.scene.optic.outwards(self.face or self.scene.optic.designed_face)
+        return self.optic.outwards(self.face or self.optic.designed_face)
 
     @property
     def flat_z(self) -> float:
         """Z of the flat side of the solid part, scene units."""
-        return self.scene.optic.flat_z(self.heights)
+        return self.optic.flat_z(self.heights)
 
     def check_flat_side(self) -> None:
         """Refuse a conic front face before the designed one, which solids do not have yet."""
-        optic, front = self.scene.optic, self.scene.optic.placed_faces[0]
+        optic, front = self.optic, self.optic.placed_faces[0]
         if len(optic.placed_faces) > 1 and isinstance(front.face, ConicFace):
             raise Refused(
-                f"{self.scene.optic_path}.{front.path}",
+                self.scene.face_path(front.name),
                 Said("a conic front face of the designed element is not exported; a plane one"),
             )
 
@@ -111,14 +121,14 @@ class Design:
         """Largest distance of a mesh from the freeform faces, scene units."""
         if self.chord_error is not None:
             return self.chord_error
-        return _FINE * max(self.scene.optic.half_width)
+        return _FINE * max(self.optic.half_width)
 
     def basis(self, x: Array, y: Array) -> GridBasis[Array]:
         """Basis values of the face on the grid of x (m_x,) and y (m_y,), scene units.
 
         Beyond the edge the polynomials at the rim continue.
         """
-        r_x, r_y = self.scene.optic.half_width
+        r_x, r_y = self.optic.half_width
         return self.net.grid((x / r_x + 1) / 2, (y / r_y + 1) / 2)
 
     def surface(self, x: Array, y: Array) -> tuple[Array, Array, Array]:

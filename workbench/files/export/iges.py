@@ -51,7 +51,7 @@ def _write(
         _convert(step, iges, _UNIT[design.unit])
         file.write(iges.read_bytes())
         error_found = _face_error(faces, iges)
-    called = design.scene.optic.face_called if len(faces) == 1 else "freeform faces"
+    called = design.optic.face_called if len(faces) == 1 else "freeform faces"
     return Deviation(f"error of the {called}", error_found, design.unit)
 
 

@@ -84,7 +84,7 @@ class Rim(NamedTuple):
 
 def write_step(design: Design, file: BinaryIO) -> Deviation:
     """Write the lens as a solid."""
-    model = Model(design.scene.optic.onwards < 0)
+    model = Model(design.optic.onwards < 0)
     return _write(BREP, solid_shape, model, design.faces, file)
 
 
@@ -97,7 +97,7 @@ def _write(
     kind: str, shape: "_Shape", model: "Model", faces: Sequence[Design], file: BinaryIO
 ) -> Deviation:
     item, off = shape_of(shape, model, faces)
-    near = _TOLERANCE * max(faces[0].scene.optic.half_width)
+    near = _TOLERANCE * max(faces[0].optic.half_width)
     write_shapes(kind, model, [item], faces[0], max(near, off), file)
     return deviation_of(faces, off)
 
@@ -105,7 +105,7 @@ def _write(
 def shape_of(shape: "_Shape", model: "Model", faces: Sequence[Design]) -> tuple[str, float]:
     """Add the shape of the designed element; return it, and how far its rim is off."""
     design = faces[0]
-    near = _TOLERANCE * max(design.scene.optic.half_width)
+    near = _TOLERANCE * max(design.optic.half_width)
     rims = [] if design.outline.whole else [Rim.of(face, near) for face in faces]
     return shape(model, faces, rims), max((rim.off for rim in rims), default=0.0)
 

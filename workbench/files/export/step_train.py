@@ -1,7 +1,7 @@
 """STEP: all elements of a train as named solids in one file, each in its place.
 
 Plane and spherical faces are planes and spheres. Other conics, and the rims of faces that are no
-circles, are fitted by B-splines; the error is reported. The designed element is as in `step`.
+circles, are fitted by B-splines; the error is reported. Designed elements are as in `step`.
 """
 
 import math
@@ -45,13 +45,16 @@ _CORNERS = ((0, 0), (-1, 0), (-1, -1), (0, -1))
 def write_step_train(design: Design, file: BinaryIO) -> Deviation:
     """Write all elements that are solid; the error is the largest of all fits."""
     scene, model, items = design.scene, Model(), []
+    written: list[Design] = []  # designed faces
     off = 0.0
-    for number, element in enumerate(scene.elements):
+    for element in scene.elements:
         model.frame = Frame(element.origin, element.turn)
-        if number == scene.designed_number:
+        if element.designed:
             model.turned = element.onwards < 0
             shape = partial(solid_shape, name=element.name)
-            item, error = shape_of(shape, model, design.faces)
+            faces = design.of(element).faces
+            written += faces
+            item, error = shape_of(shape, model, faces)
             model.turned = False
         elif _is_solid(element):
             item, error = _fixed_solid(model, element)
@@ -62,7 +65,7 @@ def write_step_train(design: Design, file: BinaryIO) -> Deviation:
     model.frame = None
     near = _TOLERANCE * min(min(element.half_width) for element in scene.elements)
     write_shapes(BREP, model, items, design, max(near, off), file)
-    return deviation_of(design.faces, off)
+    return deviation_of(written, off)
 
 
 class _FixedFace:

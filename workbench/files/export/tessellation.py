@@ -76,7 +76,7 @@ class Tessellation(NamedTuple):
         _check_cells(math.prod(float(steps.sum()) for _, steps in strips), design)
         x, y = (
             (2 * _divided(ends, steps.astype(int)) - 1) * r
-            for (ends, steps), r in zip(strips, design.scene.optic.half_width, strict=True)
+            for (ends, steps), r in zip(strips, design.optic.half_width, strict=True)
         )
         z, *other = (face.surface(x, y)[0] for face in design.faces)
         return cls(x[:, None], y[None, :], z, _other(design, other))

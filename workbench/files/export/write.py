@@ -15,6 +15,7 @@ from workbench.geometry.body import check_body
 from workbench.powers import written
 from workbench.progress import Progress, no_progress
 from workbench.said import Said
+from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -43,6 +44,7 @@ def export(
     mesh_unit: str = MILLIMETRES,
     plan: "CutPlan | None" = None,
     progress: Progress = no_progress,
+    element: str | None = None,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
@@ -50,7 +52,8 @@ def export(
     `chord_error`: largest distance of a mesh from the exit face, scene units; 1e-4 of the larger
     half-width by default; `cutting`: options of G-code; `mesh_unit`: unit of lengths in STL, OBJ,
     PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
-    its own ``cutting``; `progress`: called with the finished fraction of a slow file. Raises
+    its own ``cutting``; `progress`: called with the finished fraction of a slow file; `element`:
+    name of the designed element that files of one element hold, the last one by default. Raises
     `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
     ending selects no format or a file cannot be written. At the end: if a format cannot hold the
     data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
@@ -59,9 +62,11 @@ def export(
     result = result_of(session)
     check_body(session.scene, result.state.heights)
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
-    design = Design(session.scene, result, chord_error, None, cutting, unit, plan, progress)
+    optic = designed_element(session.scene, element)
+    face = optic.designed_face
+    design = Design(session.scene, result, chord_error, face, cutting, unit, plan, progress)
     formats = [format_of(path) for path in paths]
-    front = session.scene.optic.designed_front
+    front = optic.designed_front
     for path, found in zip(paths, formats, strict=True):
         if found.front and front is None:
             raise Refused(str(path), Said("the entrance face is not freeform, so it has no file"))
@@ -78,6 +83,19 @@ def export(
             yield Written(path, _described(found, front), deviation)
     if failures:
         raise failures[0][1] if len(paths) == 1 else _together(failures)
+
+
+def designed_element(scene: Scene, name: str | None) -> Element:
+    """Return a designed element by its name, by default the last one; raise Refused without it."""
+    if name is None:
+        return scene.optic
+    names = [optic.name for optic in scene.optics]
+    if name not in names:
+        raise Refused(
+            "element",
+            Said("{name} is no designed element; {names}", name=name, names=", ".join(names)),
+        )
+    return scene.focused_on(name).optic
 
 
 def _together(failures: Sequence[tuple[Path, Refused | RunFailed]]) -> Refused | RunFailed:
