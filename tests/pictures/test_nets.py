@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from resources import path
 from workbench.pictures.control_net import ControlNetPicture
 from workbench.pictures.lens import LensPicture
 from workbench.pictures.projection import Projection
 from workbench.pictures.source_handles import SourceHandles, moved
+from workbench.scene import Scene
 
 
 @pytest.fixture
@@ -113,5 +115,23 @@ def test_moving_rounds_to_what_a_person_would_type(make_scene):
     assert moved(scene, "middle", by, 3).source.position == (0.112, 0.1, -3.0)
     back = moved(scene, "middle", -np.array(scene.source.position) - 1e-9, 3).source.position
     assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
+<<<<<<< HEAD
     grid = make_scene({"source": GRID})
     assert moved(grid, "middle", by, 3).source.position == (0.112, -0.1, -3.0)
+=======
+    grid = make_scene({"source": GRID}).source
+    assert moved(grid, "middle", by, 3).position == (0.112, -0.1, -3.0)
+
+
+def test_nets_of_tilted_elements_stand_where_the_elements_do(plotter, rng):
+    scene = Scene.from_json(path("examples", "tilted-lens.json").read_text()).with_net((9, 8))
+    picture = LensPicture(plotter, scene, np.ones((128, 128)))
+    picture.fit("lens")
+    net = ControlNetPicture(plotter, scene.optic, "lens.back")
+    net.update(3 + 0.1 * rng.normal(size=(9, 8)))
+    plotter.render()
+    # The face, which is drawn in its place, is as far along the line of sight as its net.
+    ((x, y),) = Projection(plotter).pixels(net.places[4, 4][None])
+    assert net.pick(x, y) == (4, 4)
+    assert Projection(plotter).point(x, y) == pytest.approx(net.places[4, 4], abs=0.5)
+>>>>>>> 5277b777 (Test designed elements in nets, tools and solids)

@@ -26,7 +26,7 @@ from ui.views.tools import Pointer, Tool, ToolInput, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
-from ui.words import begun, tr
+from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.design.limits import bounded
 
@@ -97,7 +97,7 @@ class SceneView(View):
         """Title of the selected face; empty for a single one."""
         if self._shown is None or len(self.nets.faces) < 2:
             return ""
-        return begun(tr(self._shown.scene.face_in_words(self.nets.face)))
+        return capitalised(tr(self._shown.scene.face_in_words(self.nets.face)))
 
     @property
     def source(self) -> "Source | None":

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
 from ui.views.image_view import ImageView
 from ui.widgets.controls import STRETCH, filled
-from ui.words import begun, tr
+from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.geometry.surface import nets_of
 from workbench.pictures.axes import Column, Extent
@@ -53,7 +53,7 @@ class FaceChoice(QComboBox):
         with QSignalBlocker(self):
             self.clear()
             for face in faces:
-                self.addItem(begun(tr(scene.face_in_words(face))), face)
+                self.addItem(capitalised(tr(scene.face_in_words(face))), face)
             self.choose(chosen)
         self.setVisible(len(faces) > 1)
 

@@ -11,7 +11,7 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.forms import Forms
 from ui.widgets.messages import MessageBar, Offer
-from ui.words import begun, error_text, later, tr
+from ui.words import error_text, later, tr
 from workbench.design.task import changed_on_disk, why_not_kept
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -226,7 +226,7 @@ def _changed_net(before: Scene, after: Scene) -> _ChangedNet | None:
         return None
     *_, face = changed
     if len(after.optics) > 1:
-        name = begun(tr(after.face_in_words(face)))
+        name = capitalised(tr(after.face_in_words(face)))
     elif face == after.optic.designed_face:
         name = tr("The {optic}", optic=after.optic.called)
     else:

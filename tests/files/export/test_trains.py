@@ -11,6 +11,7 @@ from workbench.errors import Refused
 from workbench.files.export.meshes import write_stl
 from workbench.files.export.step import write_step
 from workbench.files.export.step_train import write_step_train
+from workbench.files.export.write import designed_element
 from workbench.geometry.frames import Frame
 from workbench.scene import ConicFace, Diffuser, Mirror, Scene
 
@@ -106,3 +107,39 @@ def test_each_element_is_a_solid_in_its_place(train, write, read_solid, volume):
         )
     text = path.read_text()
     assert all(f"MANIFOLD_SOLID_BREP('{each.name}'" in text for each in elements[:-1])
+
+
+def test_designed_elements_are_exported_together_and_by_name(rng, write, read_solid):
+    """Two lenses, of which the second is turned; each has its own B-spline face."""
+    net = {"shape": "bspline", "control_points": [6, 5]}
+    front, back = (LENS | {"faces": [PLANE, net], "half_width": r} for r in ([3, 2], [4, 3]))
+    scene = Scene.from_data(
+        {
+            "version": 3,
+            "source": {"kind": "collimated"},
+            "elements": [
+                front | {"name": "first"},
+                back | {"name": "second", "position": [0, 0, 9], "tilt": [20, 0, 0]},
+            ],
+            "images": [
+                {
+                    "receiver": {"kind": "plane", "position": [0, 0, 60], "half_width": [9, 9]}
+                    | {"pixels": [8, 8]},
+                    "target": {"builtin": "ball"},
+                }
+            ],
+        }
+    )
+    rise = np.outer(np.linspace(0, 0.5, 6), np.ones(5))  # which adds 0.25 in the mean
+    design = designed(scene, {"first.back": 2 + rise, "second.back": 11 + 2 * rise}, rng, None)
+    path, _ = write(write_step_train, design, "two.train.step")
+    first, second = read_solid(path).solids
+    assert first.volume == pytest.approx(24 * 2.25, rel=1e-7)
+    assert second.volume == pytest.approx(48 * 2.5, rel=1e-7)
+    assert second.box[0, 2] < 8 and first.box[0, 2] == pytest.approx(0, abs=1e-6)
+    for element, solid in zip(scene.elements, (first, second), strict=True):
+        path, _ = write(write_step, design.of(element), f"{element.name}.step")
+        (alone,) = read_solid(path).solids
+        assert alone.volume == pytest.approx(solid.volume, rel=1e-7)
+    with pytest.raises(Refused, match="third is no designed element; first, second"):
+        designed_element(scene, "third")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.ui.lens.tool_window import control_point, upwards
+from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -80,3 +81,30 @@ def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
     tools.commands["lock_all"]()
     assert all(mask.all() for mask in document.session.locked.values())
     assert set(document.session.locked) == {"lens.front", "lens.back"}
+
+
+def test_faces_of_two_elements_are_chosen_dragged_and_locked(make_tools, drag, qtbot, make_scene):
+    lens = {**make_scene().elements[0].to_data(), "half_width": [1, 1]}
+    data = make_scene().to_data()
+    z = data["images"][0]["receiver"]["position"][2]
+    data["elements"] = [
+        lens | {"name": "first", "position": [0, 0, 0]},
+        lens | {"name": "second", "position": [0, 0, z / 2]},
+    ]
+    tools = make_tools(scene=Scene.from_data(data))
+    view, document = tools.view, tools.document
+    tools.commands["sculpt"]()
+    qtbot.waitUntil(lambda: view._hint.text().startswith("Exit face of second. Drag"))
+    tools.commands["other_face"]()
+    qtbot.waitUntil(lambda: view._hint.text().startswith("Exit face of first. Drag"))
+    before = view.frame.state.heights
+    held = drag(view, control_point(tools, (6, 5)))
+    assert view.nets.face == "first.back"
+    held.move(upwards(view, 0.05))
+    held.release()
+    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
+    heights = document.session.heights
+    assert heights["first.back"][6, 5] > before["first.back"][6, 5]
+    assert (heights["second.back"] == before["second.back"]).all()
+    tools.commands["lock_all"]()
+    assert set(document.session.locked) == {"first.back", "second.back"}
