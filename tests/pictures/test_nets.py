@@ -115,12 +115,8 @@ def test_moving_rounds_to_what_a_person_would_type(make_scene):
     assert moved(scene, "middle", by, 3).source.position == (0.112, 0.1, -3.0)
     back = moved(scene, "middle", -np.array(scene.source.position) - 1e-9, 3).source.position
     assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
-<<<<<<< HEAD
     grid = make_scene({"source": GRID})
     assert moved(grid, "middle", by, 3).source.position == (0.112, -0.1, -3.0)
-=======
-    grid = make_scene({"source": GRID}).source
-    assert moved(grid, "middle", by, 3).position == (0.112, -0.1, -3.0)
 
 
 def test_nets_of_tilted_elements_stand_where_the_elements_do(plotter, rng):
@@ -134,4 +130,3 @@ def test_nets_of_tilted_elements_stand_where_the_elements_do(plotter, rng):
     ((x, y),) = Projection(plotter).pixels(net.places[4, 4][None])
     assert net.pick(x, y) == (4, 4)
     assert Projection(plotter).point(x, y) == pytest.approx(net.places[4, 4], abs=0.5)
->>>>>>> 5277b777 (Test designed elements in nets, tools and solids)

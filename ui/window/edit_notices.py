@@ -11,7 +11,7 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.forms import Forms
 from ui.widgets.messages import MessageBar, Offer
-from ui.words import error_text, later, tr
+from ui.words import capitalised, error_text, later, tr
 from workbench.design.task import changed_on_disk, why_not_kept
 from workbench.errors import Refused
 from workbench.files.session import Session
