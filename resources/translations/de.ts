@@ -8406,6 +8406,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
+            <source>{name} is no designed element; {names}</source>
+            <translation>{name} ist kein entworfenes Element; {names}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
             <source>{reason}; {path}: {other}</source>
             <translation>{reason}; {path}: {other}</translation>
         </message>
@@ -9090,49 +9095,44 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Abschattung durch das Fernfeld und durch den Spiegel selbst bleibt außer Acht</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/paths.py" />
+            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
+            <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
             <source>fused kernels, {threads} threads, {precision}</source>
             <translation>übersetzte Rechenkerne, {threads} Threads, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>fused kernels, 1 thread, {precision}</source>
             <translation>übersetzte Rechenkerne, 1 Thread, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>reference in torch on {device}, {precision}</source>
             <translation>Referenz in torch auf {device}, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>no kernel for this path ({faces}): by the reference alone</source>
             <translation>kein Rechenkern für diesen Weg ({faces}): nur durch die Referenz</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>float64: float32 has too few digits for this scene</source>
             <translation>float64: float32 hat zu wenige Stellen für diese Szene</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>the kernel could not be compiled ({error}), so this run is many times slower</source>
             <translation>der Rechenkern ließ sich nicht übersetzen ({error}), darum ist dieser Lauf um ein Vielfaches langsamer</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>compiled kernels could not be kept ({reason}), so each start compiles them again</source>
             <translation>übersetzte Rechenkerne ließen sich nicht aufbewahren ({reason}), darum übersetzt sie jeder Start neu</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/halves.py" />
-            <source>mirror symmetry: a quarter of the rays</source>
-            <translation>Spiegelsymmetrie: ein Viertel der Strahlen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/halves.py" />
-            <source>mirror symmetry: half of the rays</source>
-            <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
@@ -9170,11 +9170,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Stützstellen auf dem Spiegel, gemeinsam für alle Ursprünge des Lichts</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/total_reflection.py" />
-            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
-            <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/optics/train/entries.py" />
             <source>1 direction of light</source>
             <translation>1 Lichtrichtung</translation>
@@ -9198,6 +9193,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/optics/train/entries.py" />
             <source>mirror symmetry: {some} of them are traced</source>
             <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/incident.py" />
+            <source>mirror symmetry: a quarter of the rays</source>
+            <translation>Spiegelsymmetrie: ein Viertel der Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/incident.py" />
+            <source>mirror symmetry: half of the rays</source>
+            <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />
@@ -9541,6 +9546,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
+            <source>{face} of {element}</source>
+            <translation>{face} von {element}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; one</source>
             <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
         </message>
@@ -9552,7 +9562,7 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>'diffuser', which {who} cannot take into account; none</source>
-            <translation>&apos;diffuser&apos;, was {who} nicht berücksichtigen kann; keiner</translation>
+            <translation>'diffuser', was {who} nicht berücksichtigen kann; keiner</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9587,12 +9597,12 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
-            <translation>&apos;{name}&apos; steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
+            <translation>'{name}' steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
-            <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; &apos;plane&apos;, oder {field}: &apos;gaussian&apos;</translation>
+            <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; 'plane', oder {field}: 'gaussian'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />

@@ -471,12 +471,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Diffuser before the screen</source>
-            <translation>Diffuseur devant l&apos;écran</translation>
+            <translation>Diffuseur devant l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
-            <translation>Un film à 4 mm de l&apos;écran rend la lettre floue ; voir la lentille compenser ce flou.</translation>
+            <translation>Un film à 4 mm de l'écran rend la lettre floue ; voir la lentille compenser ce flou.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -486,7 +486,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
-            <translation>Un film qui diffuse de 0.3° rend flou sur 1 mm à l&apos;écran ; comparer avec la photo.</translation>
+            <translation>Un film qui diffuse de 0.3° rend flou sur 1 mm à l'écran ; comparer avec la photo.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -496,7 +496,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
-            <translation>Un miroir plan dévie la lumière de 90° avant la lentille freeform ; voir l&apos;axe replié.</translation>
+            <translation>Un miroir plan dévie la lumière de 90° avant la lentille freeform ; voir l'axe replié.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -516,7 +516,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
-            <translation>La lentille est inclinée et décalée, et conçue dans cette position ; l&apos;image reste droite.</translation>
+            <translation>La lentille est inclinée et décalée, et conçue dans cette position ; l'image reste droite.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -566,7 +566,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Choose an example by the picture of its target</source>
-            <translation>Choisir un exemple d&apos;après l&apos;image de sa cible</translation>
+            <translation>Choisir un exemple d'après l'image de sa cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -621,12 +621,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Write the lens or its rays for other programs</source>
-            <translation>Écrire la lentille ou ses rayons pour d&apos;autres programmes</translation>
+            <translation>Écrire la lentille ou ses rayons pour d'autres programmes</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Write the mirror or its rays for other programs</source>
-            <translation>Écrire le miroir ou ses rayons pour d&apos;autres programmes</translation>
+            <translation>Écrire le miroir ou ses rayons pour d'autres programmes</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -636,7 +636,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Simulate a finishing pass and write it as G-code</source>
-            <translation>Simuler une passe de finition et l&apos;écrire en G-code</translation>
+            <translation>Simuler une passe de finition et l'écrire en G-code</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -656,7 +656,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Save the predicted colour photo of the screen (PNG)</source>
-            <translation>Enregistrer la photo couleur prédite de l&apos;écran (PNG)</translation>
+            <translation>Enregistrer la photo couleur prédite de l'écran (PNG)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -716,7 +716,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Use the picture on the clipboard as the target</source>
-            <translation>Utiliser l&apos;image du presse-papiers comme cible</translation>
+            <translation>Utiliser l'image du presse-papiers comme cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -761,12 +761,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Continue the design of this lens with more iterations</source>
-            <translation>Poursuivre la conception de cette lentille avec d&apos;autres itérations</translation>
+            <translation>Poursuivre la conception de cette lentille avec d'autres itérations</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Continue the design of this mirror with more iterations</source>
-            <translation>Poursuivre la conception de ce miroir avec d&apos;autres itérations</translation>
+            <translation>Poursuivre la conception de ce miroir avec d'autres itérations</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -816,12 +816,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Design a lens for each of several values of a field</source>
-            <translation>Concevoir une lentille pour chacune de plusieurs valeurs d&apos;un champ</translation>
+            <translation>Concevoir une lentille pour chacune de plusieurs valeurs d'un champ</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Design a mirror for each of several values of a field</source>
-            <translation>Concevoir un miroir pour chacune de plusieurs valeurs d&apos;un champ</translation>
+            <translation>Concevoir un miroir pour chacune de plusieurs valeurs d'un champ</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -831,12 +831,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Restore task and lens of the run selected in the dock Runs</source>
-            <translation>Rétablir la tâche et la lentille de l&apos;exécution choisie dans le panneau Exécutions</translation>
+            <translation>Rétablir la tâche et la lentille de l'exécution choisie dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Restore task and mirror of the run selected in the dock Runs</source>
-            <translation>Rétablir la tâche et le miroir de l&apos;exécution choisie dans le panneau Exécutions</translation>
+            <translation>Rétablir la tâche et le miroir de l'exécution choisie dans le panneau Exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -886,12 +886,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Fit lens and screen into the view</source>
-            <translation>Ajuster la lentille et l&apos;écran à la vue</translation>
+            <translation>Ajuster la lentille et l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Fit mirror and screen into the view</source>
-            <translation>Ajuster le miroir et l&apos;écran à la vue</translation>
+            <translation>Ajuster le miroir et l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -921,7 +921,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Fit the screen into the view</source>
-            <translation>Ajuster l&apos;écran à la vue</translation>
+            <translation>Ajuster l'écran à la vue</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -951,7 +951,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>View along −z from behind the screen</source>
-            <translation>Vue selon −z depuis l&apos;arrière de l&apos;écran</translation>
+            <translation>Vue selon −z depuis l'arrière de l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1006,7 +1006,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Colour map of images and 3D screen</source>
-            <translation>Échelle de couleurs des images et de l&apos;écran 3D</translation>
+            <translation>Échelle de couleurs des images et de l'écran 3D</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1151,7 +1151,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Perspective instead of parallel projection</source>
-            <translation>Perspective au lieu d&apos;une projection parallèle</translation>
+            <translation>Perspective au lieu d'une projection parallèle</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1246,17 +1246,17 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Drag a rectangle on an image, or click the corners of a polygon and double-click; drag edges to move them. Esc ends</source>
-            <translation>Tracer un rectangle sur une image, ou cliquer les coins d&apos;un polygone puis double-cliquer ; les bords se déplacent. Échap termine</translation>
+            <translation>Tracer un rectangle sur une image, ou cliquer les coins d'un polygone puis double-cliquer ; les bords se déplacent. Échap termine</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Use aspect of the &amp;picture</source>
-            <translation>Utiliser le ra&amp;pport de l&apos;image</translation>
+            <translation>Utiliser le ra&amp;pport de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Set size and pixels of the receiver to the aspect of the target's picture</source>
-            <translation>Régler taille et pixels du récepteur selon le rapport de l&apos;image cible</translation>
+            <translation>Régler taille et pixels du récepteur selon le rapport de l'image cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1266,7 +1266,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Make the entrance face freeform, or flat again; the exit face is unchanged</source>
-            <translation>Rendre la face d&apos;entrée de forme libre, ou plane à nouveau ; la face de sortie est inchangée</translation>
+            <translation>Rendre la face d'entrée de forme libre, ou plane à nouveau ; la face de sortie est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1276,12 +1276,12 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Select the other freeform face of the lens for sculpting and locking</source>
-            <translation>Choisir l&apos;autre face de forme libre de la lentille pour sculpter et verrouiller</translation>
+            <translation>Choisir l'autre face de forme libre de la lentille pour sculpter et verrouiller</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Select the other freeform face of the mirror for sculpting and locking</source>
-            <translation>Choisir l&apos;autre face de forme libre du miroir pour sculpter et verrouiller</translation>
+            <translation>Choisir l'autre face de forme libre du miroir pour sculpter et verrouiller</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1636,7 +1636,7 @@
         <message>
             <location filename="../../ui/dialogs/help.py" />
             <source>Find pages with all words; Return shows the next match</source>
-            <translation>Trouver les pages contenant tous les mots ; Entrée montre l&apos;occurrence suivante</translation>
+            <translation>Trouver les pages contenant tous les mots ; Entrée montre l'occurrence suivante</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
@@ -1691,7 +1691,7 @@
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
             <source>The source size blurs the image of any lens</source>
-            <translation>La taille de la source rend floue l&apos;image de toute lentille</translation>
+            <translation>La taille de la source rend floue l'image de toute lentille</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
@@ -1701,7 +1701,7 @@
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
             <source>Computing the estimate…</source>
-            <translation>Calcul de l&apos;estimation…</translation>
+            <translation>Calcul de l'estimation…</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
@@ -1846,7 +1846,7 @@
         <message>
             <location filename="../../ui/dialogs/sweep_form.py" />
             <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
-            <translation>Séparer les valeurs par des virgules : 1, 2.5, 3 ; plages comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l&apos;unité de la scène.</translation>
+            <translation>Séparer les valeurs par des virgules : 1, 2.5, 3 ; plages comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep_form.py" />
@@ -1886,37 +1886,37 @@
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Enter target image, lens, source and screen here. An impossible value is refused beside its field, with the allowed range. Drop a picture onto the window to use it as the target.</source>
-            <translation>Entrez ici l&apos;image cible, la lentille, la source et l&apos;écran. Une valeur impossible est refusée à côté de son champ, avec la plage permise. Déposez une image sur la fenêtre pour en faire la cible.</translation>
+            <translation>Entrez ici l'image cible, la lentille, la source et l'écran. Une valeur impossible est refusée à côté de son champ, avec la plage permise. Déposez une image sur la fenêtre pour en faire la cible.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it with the best lens so far, Continue resumes from that lens.</source>
-            <translation>Démarrer (F5) conçoit la lentille. Pause (F6) suspend l&apos;exécution, Arrêter (F7) la termine avec la meilleure lentille, Continuer reprend à partir d&apos;elle.</translation>
+            <translation>Démarrer (F5) conçoit la lentille. Pause (F6) suspend l'exécution, Arrêter (F7) la termine avec la meilleure lentille, Continuer reprend à partir d'elle.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
-            <translation>Lentille, rayons et écran. Glisser pour tourner, Maj-glisser pour déplacer, molette pour zoomer, ou flèches, + et −. Ctrl+1 ajuste la lentille, Ctrl+2 l&apos;écran, Ctrl+0 tout ; Ctrl+D comprime les distances.</translation>
+            <translation>Lentille, rayons et écran. Glisser pour tourner, Maj-glisser pour déplacer, molette pour zoomer, ou flèches, + et −. Ctrl+1 ajuste la lentille, Ctrl+2 l'écran, Ctrl+0 tout ; Ctrl+D comprime les distances.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Irradiance on the screen</source>
-            <translation>Éclairement sur l&apos;écran</translation>
+            <translation>Éclairement sur l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Flux per area, updated during the run. The error beside it: red is too much light, blue too little. Both images zoom and move together.</source>
-            <translation>Flux par surface, actualisé pendant l&apos;exécution. À côté l&apos;erreur : rouge trop de lumière, bleu trop peu. Les deux images zooment et se déplacent ensemble.</translation>
+            <translation>Flux par surface, actualisé pendant l'exécution. À côté l'erreur : rouge trop de lumière, bleu trop peu. Les deux images zooment et se déplacent ensemble.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Course of the run</source>
-            <translation>Déroulement de l&apos;exécution</translation>
+            <translation>Déroulement de l'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>The loss falls while the lens improves. The slider below shows earlier iterations; you can continue from any of them.</source>
-            <translation>La perte baisse quand la lentille s&apos;améliore. Le curseur montre les itérations précédentes ; on peut continuer à partir de chacune.</translation>
+            <translation>La perte baisse quand la lentille s'améliore. Le curseur montre les itérations précédentes ; on peut continuer à partir de chacune.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -1936,7 +1936,7 @@
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>Ctrl+Shift+P finds a command by parts of its name. File &gt; New from gallery shows the examples, File &gt; Export writes the lens for other programs.</source>
-            <translation>Ctrl+Maj+P trouve une commande d&apos;après des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre les exemples, Fichier &gt; Exporter écrit la lentille pour d&apos;autres programmes.</translation>
+            <translation>Ctrl+Maj+P trouve une commande d'après des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre les exemples, Fichier &gt; Exporter écrit la lentille pour d'autres programmes.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -1971,7 +1971,7 @@
         <message>
             <location filename="../../ui/document/document.py" />
             <source>reload of the image</source>
-            <translation>rechargement de l&apos;image</translation>
+            <translation>rechargement de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/document/document.py" />
@@ -2051,7 +2051,7 @@
         <message>
             <location filename="../../ui/files/actions.py" />
             <source>{path} no longer exists; it was removed from the list.</source>
-            <translation>{path} n&apos;existe plus ; il a été retiré de la liste.</translation>
+            <translation>{path} n'existe plus ; il a été retiré de la liste.</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -2136,7 +2136,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>A file is still being written. Export the next one after it.</source>
-            <translation>Un fichier est en cours d&apos;écriture. Exportez le suivant ensuite.</translation>
+            <translation>Un fichier est en cours d'écriture. Exportez le suivant ensuite.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2151,7 +2151,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>No file was written.</source>
-            <translation>Aucun fichier n&apos;a été écrit.</translation>
+            <translation>Aucun fichier n'a été écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2176,7 +2176,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>A report is still being written. Start the next one after it.</source>
-            <translation>Un rapport est en cours d&apos;écriture. Lancez le suivant ensuite.</translation>
+            <translation>Un rapport est en cours d'écriture. Lancez le suivant ensuite.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2191,7 +2191,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>No report was written.</source>
-            <translation>Aucun rapport n&apos;a été écrit.</translation>
+            <translation>Aucun rapport n'a été écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2246,17 +2246,17 @@
         <message>
             <location filename="../../ui/files/plots.py" />
             <source>No plot is visible. The View menu shows the docks of plots.</source>
-            <translation>Aucun graphique n&apos;est visible. Le menu Affichage montre leurs panneaux.</translation>
+            <translation>Aucun graphique n'est visible. Le menu Affichage montre leurs panneaux.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
             <source>A plot is still being written. Save the next one after it.</source>
-            <translation>Un graphique est en cours d&apos;écriture. Enregistrez le suivant ensuite.</translation>
+            <translation>Un graphique est en cours d'écriture. Enregistrez le suivant ensuite.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
             <source>The photo is not predicted yet. Save it when it is shown.</source>
-            <translation>La photo n&apos;est pas encore prédite. Enregistrez-la quand elle s&apos;affiche.</translation>
+            <translation>La photo n'est pas encore prédite. Enregistrez-la quand elle s'affiche.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2296,7 +2296,7 @@
         <message>
             <location filename="../../ui/files/recovery.py" />
             <source>The program ended unexpectedly. Unsaved changes to {name} were kept.</source>
-            <translation>Le programme s&apos;est terminé de façon inattendue. Les modifications de {name} ont été conservées.</translation>
+            <translation>Le programme s'est terminé de façon inattendue. Les modifications de {name} ont été conservées.</translation>
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
@@ -2361,7 +2361,7 @@
         <message>
             <location filename="../../ui/lens/brush_tools.py" />
             <source>All control points under the brush are locked. Unlock some first.</source>
-            <translation>Tous les points de contrôle du pinceau sont verrouillés ; en libérer d&apos;abord.</translation>
+            <translation>Tous les points de contrôle du pinceau sont verrouillés ; en libérer d'abord.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
@@ -2371,7 +2371,7 @@
         <message>
             <location filename="../../ui/lens/move_source.py" />
             <source>Collimated light has no position</source>
-            <translation>La lumière collimatée n&apos;a pas de position</translation>
+            <translation>La lumière collimatée n'a pas de position</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
@@ -2396,32 +2396,32 @@
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>Stop the run first, then sculpt the lens.</source>
-            <translation>Arrêtez d&apos;abord l&apos;exécution, puis sculptez la lentille.</translation>
+            <translation>Arrêtez d'abord l'exécution, puis sculptez la lentille.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>Stop the run first, then sculpt the mirror.</source>
-            <translation>Arrêtez d&apos;abord l&apos;exécution, puis sculptez le miroir.</translation>
+            <translation>Arrêtez d'abord l'exécution, puis sculptez le miroir.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>There is no lens to sculpt yet.</source>
-            <translation>Il n&apos;y a pas encore de lentille à façonner.</translation>
+            <translation>Il n'y a pas encore de lentille à façonner.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>There is no mirror to sculpt yet.</source>
-            <translation>Il n&apos;y a pas encore de miroir à façonner.</translation>
+            <translation>Il n'y a pas encore de miroir à façonner.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>There is only one freeform face. Design &gt; Freeform entrance face adds a second one.</source>
-            <translation>Il y a une face de forme libre. Conception &gt; Face d&apos;entrée de forme libre en donne une seconde à une lentille.</translation>
+            <translation>Il y a une face de forme libre. Conception &gt; Face d'entrée de forme libre en donne une seconde à une lentille.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>Switch off View &gt; Compress distances first, then move the source.</source>
-            <translation>Désactivez d&apos;abord Affichage &gt; Comprimer les distances, puis déplacez la source.</translation>
+            <translation>Désactivez d'abord Affichage &gt; Comprimer les distances, puis déplacez la source.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2446,7 +2446,7 @@
         <message>
             <location filename="../../ui/lens/tools.py" />
             <source>move the element</source>
-            <translation>déplacer l&apos;élément</translation>
+            <translation>déplacer l'élément</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2471,17 +2471,17 @@
         <message>
             <location filename="../../ui/main_window.py" />
             <source>A run of {design} is in progress. Stop it and save the best lens?</source>
-            <translation>Une exécution de {design} est en cours. L&apos;arrêter et enregistrer la meilleure lentille ?</translation>
+            <translation>Une exécution de {design} est en cours. L'arrêter et enregistrer la meilleure lentille ?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
             <source>A run of {design} is in progress. Stop it and save the best mirror?</source>
-            <translation>Une exécution de {design} est en cours. L&apos;arrêter et enregistrer le meilleur miroir ?</translation>
+            <translation>Une exécution de {design} est en cours. L'arrêter et enregistrer le meilleur miroir ?</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
             <source> Changes that wait for the end of the run are discarded.</source>
-            <translation> Les modifications en attente de la fin de l&apos;exécution sont abandonnées.</translation>
+            <translation> Les modifications en attente de la fin de l'exécution sont abandonnées.</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
@@ -2501,7 +2501,7 @@
         <message>
             <location filename="../../ui/main_window.py" />
             <source>Saved with the task of the run.</source>
-            <translation>Enregistré avec la tâche de l&apos;exécution.</translation>
+            <translation>Enregistré avec la tâche de l'exécution.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2591,7 +2591,7 @@
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Wait above the stock until the spindle has reached its speed.</source>
-            <translation>Attente au-dessus du brut jusqu&apos;à ce que la broche ait atteint sa vitesse.</translation>
+            <translation>Attente au-dessus du brut jusqu'à ce que la broche ait atteint sa vitesse.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2606,12 +2606,12 @@
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Cut the negative of the face, turned over about the y axis.</source>
-            <translation>Usiner le négatif de la face, retourné autour de l&apos;axe y.</translation>
+            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
-            <translation>Écrit une passe de finition d&apos;une fraise boule en G-code en millimètres (GRBL, LinuxCNC). La coupe est d&apos;abord simulée ; une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
+            <translation>Écrit une passe de finition d'une fraise boule en G-code en millimètres (GRBL, LinuxCNC). La coupe est d'abord simulée ; une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2641,7 +2641,7 @@
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Compare the image of the lens as made with the lens as designed</source>
-            <translation>Comparer l&apos;image de la lentille usinée à celle de la lentille conçue</translation>
+            <translation>Comparer l'image de la lentille usinée à celle de la lentille conçue</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2676,7 +2676,7 @@
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material remains.</source>
-            <translation>Rayon {radius}, {size:,} mouvements. {deep} ; il reste jusqu&apos;à {left} de matière.</translation>
+            <translation>Rayon {radius}, {size:,} mouvements. {deep} ; il reste jusqu'à {left} de matière.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2701,7 +2701,7 @@
         <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>Least thickness of the element</source>
-            <translation>Épaisseur minimale de l&apos;élément</translation>
+            <translation>Épaisseur minimale de l'élément</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2711,7 +2711,7 @@
         <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>Largest thickness of the element</source>
-            <translation>Épaisseur maximale de l&apos;élément</translation>
+            <translation>Épaisseur maximale de l'élément</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2851,7 +2851,7 @@
         <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>Simulate the cut of the face and write G-code</source>
-            <translation>Simuler l&apos;usinage de la face et écrire le G-code</translation>
+            <translation>Simuler l'usinage de la face et écrire le G-code</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2891,12 +2891,12 @@
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Largest concave curvature; zero where there is none</source>
-            <translation>Plus grande courbure concave ; zéro s&apos;il n&apos;y en a pas</translation>
+            <translation>Plus grande courbure concave ; zéro s'il n'y en a pas</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Largest convex curvature; zero where there is none</source>
-            <translation>Plus grande courbure convexe ; zéro s&apos;il n&apos;y en a pas</translation>
+            <translation>Plus grande courbure convexe ; zéro s'il n'y en a pas</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -2976,7 +2976,7 @@
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
             <source>Start traces randomly perturbed lenses and shows the distribution of the error.</source>
-            <translation>Démarrer trace des lentilles perturbées au hasard et montre la distribution de l&apos;erreur.</translation>
+            <translation>Démarrer trace des lentilles perturbées au hasard et montre la distribution de l'erreur.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -3016,7 +3016,7 @@
         <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
-            <translation>la tâche n&apos;a plus ce champ</translation>
+            <translation>la tâche n'a plus ce champ</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3046,22 +3046,22 @@
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Add a copy of the selected element behind the last element</source>
-            <translation>Ajouter une copie de l&apos;élément choisi derrière le dernier élément</translation>
+            <translation>Ajouter une copie de l'élément choisi derrière le dernier élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Remove the selected element</source>
-            <translation>Retirer l&apos;élément choisi</translation>
+            <translation>Retirer l'élément choisi</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Swap the selected element with the previous one, positions included</source>
-            <translation>Échanger l&apos;élément choisi avec le précédent, positions comprises</translation>
+            <translation>Échanger l'élément choisi avec le précédent, positions comprises</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Swap the selected element with the next one, positions included</source>
-            <translation>Échanger l&apos;élément choisi avec le suivant, positions comprises</translation>
+            <translation>Échanger l'élément choisi avec le suivant, positions comprises</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3161,22 +3161,22 @@
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>The target is not a picture and has no aspect.</source>
-            <translation>La cible n&apos;est pas une image et n&apos;a pas de rapport.</translation>
+            <translation>La cible n'est pas une image et n'a pas de rapport.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>The picture cannot be read: {refused}</source>
-            <translation>L&apos;image ne peut pas être lue : {refused}</translation>
+            <translation>L'image ne peut pas être lue : {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>aspect of the picture for the screen</source>
-            <translation>rapport de l&apos;image pour l&apos;écran</translation>
+            <translation>rapport de l'image pour l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>aspect of the picture for the far field</source>
-            <translation>rapport de l&apos;image pour le champ lointain</translation>
+            <translation>rapport de l'image pour le champ lointain</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3201,12 +3201,12 @@
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>Stop the run first, then reload the image.</source>
-            <translation>Arrêtez d&apos;abord l&apos;exécution, puis rechargez l&apos;image.</translation>
+            <translation>Arrêtez d'abord l'exécution, puis rechargez l'image.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
             <source>Waiting for the end of the run: {edits}.</source>
-            <translation>Attend la fin de l&apos;exécution : {edits}.</translation>
+            <translation>Attend la fin de l'exécution : {edits}.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3236,7 +3236,7 @@
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Target irradiance as its viewer sees it</source>
-            <translation>Éclairement cible tel que l&apos;observateur le voit</translation>
+            <translation>Éclairement cible tel que l'observateur le voit</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3256,27 +3256,27 @@
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Add a copy of the selected image</source>
-            <translation>Ajouter une copie de l&apos;image choisie après elle</translation>
+            <translation>Ajouter une copie de l'image choisie après elle</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Remove the selected image</source>
-            <translation>Retirer l&apos;image choisie</translation>
+            <translation>Retirer l'image choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Move the selected image up</source>
-            <translation>Monter l&apos;image choisie</translation>
+            <translation>Monter l'image choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Move the selected image down</source>
-            <translation>Descendre l&apos;image choisie</translation>
+            <translation>Descendre l'image choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>The panels Target and Receiver belong to image 1.</source>
-            <translation>Les panneaux Cible et Récepteur appartiennent à l&apos;image 1.</translation>
+            <translation>Les panneaux Cible et Récepteur appartiennent à l'image 1.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3406,7 +3406,7 @@
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
-            <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l&apos;optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
+            <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l'optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3416,7 +3416,7 @@
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
-            <translation>Étapes qu&apos;une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
+            <translation>Étapes qu'une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3436,22 +3436,22 @@
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Add a copy of the selected stage</source>
-            <translation>Ajouter une copie de l&apos;étape choisie après elle</translation>
+            <translation>Ajouter une copie de l'étape choisie après elle</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Remove the selected stage</source>
-            <translation>Retirer l&apos;étape choisie</translation>
+            <translation>Retirer l'étape choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Run the selected stage earlier</source>
-            <translation>Exécuter plus tôt l&apos;étape choisie</translation>
+            <translation>Exécuter plus tôt l'étape choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>Run the selected stage later</source>
-            <translation>Exécuter plus tard l&apos;étape choisie</translation>
+            <translation>Exécuter plus tard l'étape choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3461,7 +3461,7 @@
         <message>
             <location filename="../../ui/panels/run.py" />
             <source>None: the run has only the scene itself.</source>
-            <translation>Aucune : l&apos;exécution n&apos;a que la scène elle-même.</translation>
+            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3526,7 +3526,7 @@
         <message>
             <location filename="../../ui/run/check.py" />
             <source>The image is still being computed. Try again in a moment.</source>
-            <translation>L&apos;image est en cours de calcul. Réessayez dans un instant.</translation>
+            <translation>L'image est en cours de calcul. Réessayez dans un instant.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check.py" />
@@ -3571,7 +3571,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Two independent methods, beam meshes and random rays, differ by more than their error bounds: one of them is wrong.</source>
-            <translation>Deux méthodes indépendantes, maillages de faisceaux et rayons aléatoires, diffèrent de plus que leurs bornes d&apos;erreur : l&apos;une est fausse.</translation>
+            <translation>Deux méthodes indépendantes, maillages de faisceaux et rayons aléatoires, diffèrent de plus que leurs bornes d'erreur : l'une est fausse.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3581,7 +3581,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>The error is from random rays alone; the intervals below include their noise.</source>
-            <translation>L&apos;erreur provient des seuls rayons aléatoires ; les intervalles ci-dessous incluent leur bruit.</translation>
+            <translation>L'erreur provient des seuls rayons aléatoires ; les intervalles ci-dessous incluent leur bruit.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3591,7 +3591,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Image or efficiency of the optimiser differ from the check by more than the error bounds; the optimiser traces fewer rays.</source>
-            <translation>L&apos;image ou le rendement de l&apos;optimiseur diffèrent de la vérification de plus que les bornes d&apos;erreur ; l&apos;optimiseur trace moins de rayons.</translation>
+            <translation>L'image ou le rendement de l'optimiseur diffèrent de la vérification de plus que les bornes d'erreur ; l'optimiseur trace moins de rayons.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3606,7 +3606,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>error interval</source>
-            <translation>intervalle d&apos;erreur</translation>
+            <translation>intervalle d'erreur</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3621,17 +3621,17 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Number of beams through the entrance face.</source>
-            <translation>Nombre de faisceaux à travers la face d&apos;entrée.</translation>
+            <translation>Nombre de faisceaux à travers la face d'entrée.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>error by image pairs</source>
-            <translation>erreur par paires d&apos;images</translation>
+            <translation>erreur par paires d'images</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>The deterministic check would be too slow here; pairs of random images are used. The interval has 95 % confidence.</source>
-            <translation>La vérification déterministe serait trop lente ici ; des paires d&apos;images aléatoires sont utilisées. L&apos;intervalle a 95 % de confiance.</translation>
+            <translation>La vérification déterministe serait trop lente ici ; des paires d'images aléatoires sont utilisées. L'intervalle a 95 % de confiance.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3651,7 +3651,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more rays reduce it.</source>
-            <translation>‖I − T‖ / ‖T‖ de l&apos;image et de la cible, chacune divisée par sa somme. Inclut le bruit des rayons ; plus de rayons le réduit.</translation>
+            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme. Inclut le bruit des rayons ; plus de rayons le réduit.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3661,7 +3661,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>95 % interval of the error with noise, for other rays of the same number.</source>
-            <translation>Intervalle à 95 % de l&apos;erreur avec bruit, pour d&apos;autres rayons en même nombre.</translation>
+            <translation>Intervalle à 95 % de l'erreur avec bruit, pour d'autres rayons en même nombre.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3716,7 +3716,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Pearson's coefficient of image and target over the pixels; 1 for proportional images.</source>
-            <translation>Coefficient de Pearson de l&apos;image et de la cible sur les pixels ; 1 pour des images proportionnelles.</translation>
+            <translation>Coefficient de Pearson de l'image et de la cible sur les pixels ; 1 pour des images proportionnelles.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3731,7 +3731,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Fraction of the emitted flux in the image.</source>
-            <translation>Part du flux émis dans l&apos;image.</translation>
+            <translation>Part du flux émis dans l'image.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3741,7 +3741,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Flux that hits its exit face a second time, as in a deep concave face. Image and efficiency ignore this.</source>
-            <translation>Flux qui rencontre une seconde fois sa face de sortie, comme dans une face très concave. L&apos;image et le rendement l&apos;ignorent.</translation>
+            <translation>Flux qui rencontre une seconde fois sa face de sortie, comme dans une face très concave. L'image et le rendement l'ignorent.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3751,22 +3751,22 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Flux that the screen blocks before the mirror. Image and efficiency ignore this; a screen beside the axis does not block it.</source>
-            <translation>Flux que l&apos;écran bloque avant le miroir. L&apos;image et le rendement l&apos;ignorent ; un écran à côté de l&apos;axe ne bloque rien.</translation>
+            <translation>Flux que l'écran bloque avant le miroir. L'image et le rendement l'ignorent ; un écran à côté de l'axe ne bloque rien.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>difference to the optimiser</source>
-            <translation>écart avec l&apos;optimiseur</translation>
+            <translation>écart avec l'optimiseur</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Relative L2 difference to the image of the optimiser; includes its filter and ray noise.</source>
-            <translation>Différence L2 relative à l&apos;image de l&apos;optimiseur ; inclut son filtre et le bruit des rayons.</translation>
+            <translation>Différence L2 relative à l'image de l'optimiseur ; inclut son filtre et le bruit des rayons.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Rays of the image; a quarter more are traced for the error without noise.</source>
-            <translation>Rayons de l&apos;image ; un quart de plus est tracé pour l&apos;erreur sans bruit.</translation>
+            <translation>Rayons de l'image ; un quart de plus est tracé pour l'erreur sans bruit.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3816,7 +3816,7 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Rays of a check; four times as many halve the noise</source>
-            <translation>Rayons d&apos;une vérification ; quatre fois plus divisent le bruit par deux</translation>
+            <translation>Rayons d'une vérification ; quatre fois plus divisent le bruit par deux</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3866,7 +3866,7 @@
         <message>
             <location filename="../../ui/run/comparison.py" />
             <source>Choose the image to compare</source>
-            <translation>Choisir l&apos;image à comparer</translation>
+            <translation>Choisir l'image à comparer</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3896,7 +3896,7 @@
         <message>
             <location filename="../../ui/run/control.py" />
             <source>There is no result yet, or it is still being computed. Try again in a moment.</source>
-            <translation>Il n&apos;y a pas encore de résultat, ou il est en cours de calcul. Réessayez dans un instant.</translation>
+            <translation>Il n'y a pas encore de résultat, ou il est en cours de calcul. Réessayez dans un instant.</translation>
         </message>
         <message>
             <location filename="../../ui/run/control.py" />
@@ -3931,12 +3931,12 @@
         <message>
             <location filename="../../ui/run/follow.py" />
             <source>Updating the lens: slow task, edits are applied after a pause</source>
-            <translation>Mise à jour de la lentille : tâche lente, les modifications s&apos;appliquent après une pause</translation>
+            <translation>Mise à jour de la lentille : tâche lente, les modifications s'appliquent après une pause</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
             <source>Updating the mirror: slow task, edits are applied after a pause</source>
-            <translation>Mise à jour du miroir : tâche lente, les modifications s&apos;appliquent après une pause</translation>
+            <translation>Mise à jour du miroir : tâche lente, les modifications s'appliquent après une pause</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
@@ -4036,7 +4036,7 @@
         <message>
             <location filename="../../ui/run/run_check.py" />
             <source>Verified error {error} at iteration {iteration}</source>
-            <translation>Erreur vérifiée {error} à l&apos;itération {iteration}</translation>
+            <translation>Erreur vérifiée {error} à l'itération {iteration}</translation>
         </message>
         <message>
             <location filename="../../ui/run/run_check.py" />
@@ -4051,22 +4051,22 @@
         <message>
             <location filename="../../ui/run/run_check.py" />
             <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
-            <translation>Borne inférieure certifiée de l&apos;erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
+            <translation>Borne inférieure certifiée de l'erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>Select a run in View &gt; Runs first.</source>
-            <translation>Choisir d&apos;abord une exécution dans Affichage &gt; Exécutions.</translation>
+            <translation>Choisir d'abord une exécution dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>Select runs in View &gt; Runs first.</source>
-            <translation>Choisir d&apos;abord des exécutions dans Affichage &gt; Exécutions.</translation>
+            <translation>Choisir d'abord des exécutions dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>Select two runs in View &gt; Runs first (Ctrl+click).</source>
-            <translation>Choisissez d&apos;abord deux exécutions dans Affichage &gt; Exécutions (Ctrl+clic).</translation>
+            <translation>Choisissez d'abord deux exécutions dans Affichage &gt; Exécutions (Ctrl+clic).</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4076,7 +4076,7 @@
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>The run was not renamed; it is still {name}: {reason}</source>
-            <translation>L&apos;exécution s&apos;appelle toujours {name} : {reason}</translation>
+            <translation>L'exécution s'appelle toujours {name} : {reason}</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4131,7 +4131,7 @@
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Relative L2 error of the image at this iteration, by the independent check, without ray noise</source>
-            <translation>Erreur L2 relative de l&apos;image à cette itération, par la vérification indépendante, sans bruit de rayons</translation>
+            <translation>Erreur L2 relative de l'image à cette itération, par la vérification indépendante, sans bruit de rayons</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4141,7 +4141,7 @@
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Relative L2 error of the image as the optimiser computes it, and the fraction of the flux on the receiver; both for each image</source>
-            <translation>Erreur L2 relative de l&apos;image calculée par l&apos;optimiseur, et part du flux sur le récepteur ; pour chaque image</translation>
+            <translation>Erreur L2 relative de l'image calculée par l'optimiseur, et part du flux sur le récepteur ; pour chaque image</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4151,7 +4151,7 @@
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Loss that the optimiser minimises</source>
-            <translation>Perte que l&apos;optimiseur minimise</translation>
+            <translation>Perte que l'optimiseur minimise</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4161,7 +4161,7 @@
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Remaining time at the current rate; the automatic method ends sooner without further gain</source>
-            <translation>Temps restant au rythme actuel ; la méthode automatique s&apos;arrête plus tôt sans gain</translation>
+            <translation>Temps restant au rythme actuel ; la méthode automatique s'arrête plus tôt sans gain</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4186,7 +4186,7 @@
         <message>
             <location filename="../../ui/run/table.py" />
             <source>Name and image of the run; tick it to plot its loss beside that of this run</source>
-            <translation>Nom et image de l&apos;exécution ; cochez pour tracer sa perte à côté de celle de cette exécution</translation>
+            <translation>Nom et image de l'exécution ; cochez pour tracer sa perte à côté de celle de cette exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4201,7 +4201,7 @@
         <message>
             <location filename="../../ui/run/table.py" />
             <source>Relative L2 error of the best result, as the optimiser computes it</source>
-            <translation>Erreur L2 relative du meilleur résultat, calculée par l&apos;optimiseur</translation>
+            <translation>Erreur L2 relative du meilleur résultat, calculée par l'optimiseur</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4346,7 +4346,7 @@
         <message>
             <location filename="../../ui/views/derivative_view.py" />
             <source>The map is not computed yet.</source>
-            <translation>La carte n&apos;est pas encore calculée.</translation>
+            <translation>La carte n'est pas encore calculée.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4381,7 +4381,7 @@
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>A far field has no distance to vary.</source>
-            <translation>Un champ lointain n&apos;a pas de distance à varier.</translation>
+            <translation>Un champ lointain n'a pas de distance à varier.</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4391,7 +4391,7 @@
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is unchanged</source>
-            <translation>Montrer l&apos;éclairement à 0,5 à 1,5 fois la distance de l&apos;écran ; la scène est inchangée</translation>
+            <translation>Montrer l'éclairement à 0,5 à 1,5 fois la distance de l'écran ; la scène est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4401,7 +4401,7 @@
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>Return to the distance of the screen</source>
-            <translation>Revenir à la distance de l&apos;écran</translation>
+            <translation>Revenir à la distance de l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4411,7 +4411,7 @@
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>Plot the error against the distance</source>
-            <translation>Tracer l&apos;erreur en fonction de la distance</translation>
+            <translation>Tracer l'erreur en fonction de la distance</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4426,7 +4426,7 @@
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>no flux arrives there</source>
-            <translation>aucun flux n&apos;y arrive</translation>
+            <translation>aucun flux n'y arrive</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4451,7 +4451,7 @@
         <message>
             <location filename="../../ui/views/image_link.py" />
             <source>Choose the image to show</source>
-            <translation>Choisir l&apos;image à afficher</translation>
+            <translation>Choisir l'image à afficher</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
@@ -4476,7 +4476,7 @@
         <message>
             <location filename="../../ui/views/light_images.py" />
             <source>Drag across an image to draw the line of a cross-section; or use Shift and drag</source>
-            <translation>Glissez sur une image pour tracer la ligne d&apos;une coupe ; ou Maj et glisser</translation>
+            <translation>Glissez sur une image pour tracer la ligne d'une coupe ; ou Maj et glisser</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
@@ -4496,7 +4496,7 @@
         <message>
             <location filename="../../ui/views/light_images.py" />
             <source>The target, scaled to the flux that arrives: where the irradiance is right, both have the same colour. The light account shows where lost light goes.</source>
-            <translation>La cible, mise à l&apos;échelle du flux qui arrive : où l&apos;éclairement est juste, les deux ont la même couleur. Le bilan de lumière montre où va la lumière perdue.</translation>
+            <translation>La cible, mise à l'échelle du flux qui arrive : où l'éclairement est juste, les deux ont la même couleur. Le bilan de lumière montre où va la lumière perdue.</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_view.py" />
@@ -4511,12 +4511,12 @@
         <message>
             <location filename="../../ui/views/loss_view.py" />
             <source>Iteration of the run</source>
-            <translation>Itération de l&apos;exécution</translation>
+            <translation>Itération de l'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
             <source>Show the design at an earlier iteration of the run</source>
-            <translation>Montrer la conception à une itération antérieure de l&apos;exécution</translation>
+            <translation>Montrer la conception à une itération antérieure de l'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4526,7 +4526,7 @@
         <message>
             <location filename="../../ui/views/loss_view.py" />
             <source>Continue from here</source>
-            <translation>Continuer d&apos;ici</translation>
+            <translation>Continuer d'ici</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_view.py" />
@@ -4566,7 +4566,7 @@
         <message>
             <location filename="../../ui/views/loss_view.py" />
             <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
-            <translation>La perte d&apos;une exécution est tracée ici. Exécution &gt; Démarrer en lance une.</translation>
+            <translation>La perte d'une exécution est tracée ici. Exécution &gt; Démarrer en lance une.</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4576,7 +4576,7 @@
         <message>
             <location filename="../../ui/views/photo_view.py" />
             <source>There is no lens yet. Start designs one.</source>
-            <translation>Il n&apos;y a pas encore de lentille : Démarrer en conçoit une.</translation>
+            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une.</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4636,7 +4636,7 @@
         <message>
             <location filename="../../ui/views/plot_view.py" />
             <source>The image is being computed.</source>
-            <translation>L&apos;image est en cours de calcul.</translation>
+            <translation>L'image est en cours de calcul.</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_view.py" />
@@ -4646,7 +4646,7 @@
         <message>
             <location filename="../../ui/views/plot_view.py" />
             <source>There is no image: this design cannot be traced.</source>
-            <translation>Il n&apos;y a pas d&apos;image : cette conception ne peut pas être tracée.</translation>
+            <translation>Il n'y a pas d'image : cette conception ne peut pas être tracée.</translation>
         </message>
         <message>
             <location filename="../../ui/views/region_tool.py" />
@@ -4680,7 +4680,7 @@ or along a line drawn with Shift and drag.
 Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
             <translation>Coupe selon x ou y par le point cliqué dans une image,
 ou selon une ligne tracée avec Maj et glisser.
-Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; avec Ctrl le bout de la ligne</translation>
+Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl le bout de la ligne</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
@@ -4757,7 +4757,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
             <source>The receivers differ: no difference image.</source>
-            <translation>Les récepteurs diffèrent : pas d&apos;image de différence.</translation>
+            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/plot_words.py" />
@@ -4832,37 +4832,37 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The entrance face is freeform now, and still flat. Continue shapes both faces; Undo reverts.</source>
-            <translation>La face d&apos;entrée est maintenant de forme libre, encore plane. Continuer façonne les deux faces ; Annuler y revient.</translation>
+            <translation>La face d'entrée est maintenant de forme libre, encore plane. Continuer façonne les deux faces ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The entrance face is flat now; the exit face is unchanged. Continue reshapes the exit face; Undo reverts.</source>
-            <translation>La face d&apos;entrée est maintenant plane ; la face de sortie est inchangée. Continuer refaçonne la face de sortie ; Annuler y revient.</translation>
+            <translation>La face d'entrée est maintenant plane ; la face de sortie est inchangée. Continuer refaçonne la face de sortie ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The lens was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
-            <translation>La lentille a été modifiée de {moved} au plus pour respecter les nouvelles limites. Continuer l&apos;améliore ; Annuler y revient.</translation>
+            <translation>La lentille a été modifiée de {moved} au plus pour respecter les nouvelles limites. Continuer l'améliore ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The mirror was moved by up to {moved} to keep the new limits. Continue improves it; Undo reverts.</source>
-            <translation>Le miroir a été modifié de {moved} au plus pour respecter les nouvelles limites. Continuer l&apos;améliore ; Annuler y revient.</translation>
+            <translation>Le miroir a été modifié de {moved} au plus pour respecter les nouvelles limites. Continuer l'améliore ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The net now has {size} control points; the lens was transferred to it. Continue improves it; Undo reverts.</source>
-            <translation>Le réseau a maintenant {size} points de contrôle ; la lentille y a été transférée. Continuer l&apos;améliore ; Annuler y revient.</translation>
+            <translation>Le réseau a maintenant {size} points de contrôle ; la lentille y a été transférée. Continuer l'améliore ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The net now has {size} control points; the mirror was transferred to it. Continue improves it; Undo reverts.</source>
-            <translation>Le réseau a maintenant {size} points de contrôle ; le miroir y a été transféré. Continuer l&apos;améliore ; Annuler y revient.</translation>
+            <translation>Le réseau a maintenant {size} points de contrôle ; le miroir y a été transféré. Continuer l'améliore ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The lens was designed for another task. Continue starts from it; Start over does not</source>
-            <translation>La lentille a été conçue pour une autre tâche. Continuer part d&apos;elle ; Recommencer non</translation>
+            <translation>La lentille a été conçue pour une autre tâche. Continuer part d'elle ; Recommencer non</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4902,7 +4902,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>{name} is approximated on {size} control points: deviation up to {off}. Continue improves it; Undo reverts.</source>
-            <translation>{name} est approché(e) sur {size} points de contrôle : écart jusqu&apos;à {off}. Continuer améliore ; Annuler y revient.</translation>
+            <translation>{name} est approché(e) sur {size} points de contrôle : écart jusqu'à {off}. Continuer améliore ; Annuler y revient.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4922,12 +4922,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>The entrance face</source>
-            <translation>La face d&apos;entrée</translation>
+            <translation>La face d'entrée</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
             <source>{image} has changed on disk. The design keeps the earlier picture.</source>
-            <translation>{image} a changé sur le disque. La conception garde l&apos;image précédente.</translation>
+            <translation>{image} a changé sur le disque. La conception garde l'image précédente.</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4952,12 +4952,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/layout.py" />
             <source>The view settings ({what}) of this design cannot be restored: {error}</source>
-            <translation>Les réglages d&apos;affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
+            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Stop the run first, then mark regions.</source>
-            <translation>Arrêtez d&apos;abord le calcul, puis marquez les régions.</translation>
+            <translation>Arrêtez d'abord le calcul, puis marquez les régions.</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -4977,7 +4977,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/run_notices.py" />
             <source>The run goes on within them.</source>
-            <translation>L&apos;exécution continue dans ces limites.</translation>
+            <translation>L'exécution continue dans ces limites.</translation>
         </message>
         <message>
             <location filename="../../ui/window/run_notices.py" />
@@ -5052,12 +5052,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/window_state.py" />
             <source>There is only one freeform face; Freeform entrance face adds a second one</source>
-            <translation>Il y a une face de forme libre : « Face d&apos;entrée de forme libre » en donne une seconde à une lentille</translation>
+            <translation>Il y a une face de forme libre : « Face d'entrée de forme libre » en donne une seconde à une lentille</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
             <source>Not possible during a run. Stop it first</source>
-            <translation>Impossible pendant une exécution. Arrêtez-la d&apos;abord</translation>
+            <translation>Impossible pendant une exécution. Arrêtez-la d'abord</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -5082,12 +5082,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/window_state.py" />
             <source>There is no lens yet; Start designs one</source>
-            <translation>Il n&apos;y a pas encore de lentille : Démarrer en conçoit une</translation>
+            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
             <source>There is no mirror yet; Start designs one</source>
-            <translation>Il n&apos;y a pas encore de miroir : Démarrer en conçoit un</translation>
+            <translation>Il n'y a pas encore de miroir : Démarrer en conçoit un</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -5187,7 +5187,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../ui/window/workspace.py" />
             <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
-            <translation>L&apos;exécution attend la compilation de ses noyaux (une fois après l&apos;installation, une demi-minute)</translation>
+            <translation>L'exécution attend la compilation de ses noyaux (une fois après l'installation, une demi-minute)</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
@@ -5487,7 +5487,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d), or the mean of the spectrum.</source>
-            <translation>Longueur d&apos;onde dans le vide des indices des matériaux. Vide : 0.5876 µm (hélium d), ou la moyenne du spectre.</translation>
+            <translation>Longueur d'onde dans le vide des indices des matériaux. Vide : 0.5876 µm (hélium d), ou la moyenne du spectre.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5497,7 +5497,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>Up to 16 lines of light in place of one wavelength: wavelength in µm and part of the flux, as in 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Each line is traced with its own refractive indices, and an image is the sum of all lines. The parts may have any sum.</source>
-            <translation>Jusqu&apos;à 16 raies au lieu d&apos;une longueur d&apos;onde : longueur d&apos;onde en µm et part du flux, comme 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Chaque raie est tracée avec ses propres indices, et une image est la somme de toutes. Les parts peuvent avoir une somme quelconque.</translation>
+            <translation>Jusqu'à 16 raies au lieu d'une longueur d'onde : longueur d'onde en µm et part du flux, comme 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Chaque raie est tracée avec ses propres indices, et une image est la somme de toutes. Les parts peuvent avoir une somme quelconque.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5772,7 +5772,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>Lenses, mirrors and diffusers in the order in which light meets them. Light that passes one by is lost there.</source>
-            <translation>Lentilles, miroirs et diffuseurs dans l&apos;ordre où la lumière les rencontre. La lumière qui en manque un y est perdue.</translation>
+            <translation>Lentilles, miroirs et diffuseurs dans l'ordre où la lumière les rencontre. La lumière qui en manque un y est perdue.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6127,7 +6127,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>One plane that scatters light onwards: the last element of a train.</source>
-            <translation>Un plan qui diffuse la lumière vers l&apos;avant : le dernier élément d&apos;une suite.</translation>
+            <translation>Un plan qui diffuse la lumière vers l'avant : le dernier élément d'une suite.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6157,12 +6157,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>How far light is scattered: the radiant intensity of a narrow beam behind the diffuser falls as exp(−θ²/2σ²) with the angle θ to the beam. For small σ it is the standard deviation of the angle along each axis. The full width at half maximum, which data sheets state, is 2.355 σ.</source>
-            <translation>L&apos;étendue de la diffusion : l&apos;intensité énergétique d&apos;un faisceau étroit derrière le diffuseur décroît comme exp(−θ²/2σ²) avec l&apos;angle θ au faisceau. Pour σ petit, c&apos;est l&apos;écart type de l&apos;angle selon chaque axe. La largeur à mi-hauteur des fiches techniques est 2.355 σ.</translation>
+            <translation>L'étendue de la diffusion : l'intensité énergétique d'un faisceau étroit derrière le diffuseur décroît comme exp(−θ²/2σ²) avec l'angle θ au faisceau. Pour σ petit, c'est l'écart type de l'angle selon chaque axe. La largeur à mi-hauteur des fiches techniques est 2.355 σ.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Light leaves with the same radiance in all directions, wherever it comes from.</source>
-            <translation>La lumière sort avec la même luminance dans toutes les directions, d&apos;où qu&apos;elle vienne.</translation>
+            <translation>La lumière sort avec la même luminance dans toutes les directions, d'où qu'elle vienne.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6172,7 +6172,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench" />
             <source>Part of the light that goes on behind the diffuser, at all angles of incidence. It absorbs the rest, or reflects it.</source>
-            <translation>Part de la lumière qui continue derrière le diffuseur, à tous les angles d&apos;incidence. Il absorbe ou réfléchit le reste.</translation>
+            <translation>Part de la lumière qui continue derrière le diffuseur, à tous les angles d'incidence. Il absorbe ou réfléchit le reste.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7632,7 +7632,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
             <source>Mitsuba is given no {kind}; leave it out to compare</source>
-            <translation>Mitsuba ne connaît pas {kind} ; l&apos;omettre pour comparer</translation>
+            <translation>Mitsuba ne connaît pas {kind} ; l'omettre pour comparer</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/light.py" />
@@ -7792,7 +7792,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>{size:g}; a train has no such error, 0</source>
-            <translation>{size:g} ; une suite n&apos;a pas une telle erreur, 0</translation>
+            <translation>{size:g} ; une suite n'a pas une telle erreur, 0</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
@@ -7907,7 +7907,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/design/images.py" />
             <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
-            <translation>le diffuseur l&apos;étale sur {x:.3g} × {y:.3g} pixels</translation>
+            <translation>le diffuseur l'étale sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/design/lens_blur.py" />
@@ -8312,7 +8312,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
-            <translation>une face avant conique de l&apos;élément conçu n&apos;est pas exportée ; une plane</translation>
+            <translation>une face avant conique de l'élément conçu n'est pas exportée ; une plane</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/far_light.py" />
@@ -8402,7 +8402,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/files/export/write.py" />
             <source>the entrance face is not freeform, so it has no file</source>
-            <translation>la face d&apos;entrée n&apos;est pas de forme libre et n&apos;a pas de fichier</translation>
+            <translation>la face d'entrée n'est pas de forme libre et n'a pas de fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>{name} is no designed element; {names}</source>
+            <translation>{name} n’est pas un élément conçu ; {names}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />
@@ -8517,12 +8522,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>From a coarse design of this task.</source>
-            <translation>D&apos;après une conception grossière de cette tâche.</translation>
+            <translation>D'après une conception grossière de cette tâche.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>No flux arrives in a coarse design of this task.</source>
-            <translation>Aucun flux n&apos;arrive dans une conception grossière de cette tâche.</translation>
+            <translation>Aucun flux n'arrive dans une conception grossière de cette tâche.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8542,7 +8547,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>From a coarse design of this task, with losses and source size.</source>
-            <translation>D&apos;après une conception grossière de cette tâche, avec pertes et taille de source.</translation>
+            <translation>D'après une conception grossière de cette tâche, avec pertes et taille de source.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8557,7 +8562,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>{across:.0f} × {up:.0f} dots in the image.</source>
-            <translation>{across:.0f} × {up:.0f} points dans l&apos;image.</translation>
+            <translation>{across:.0f} × {up:.0f} points dans l'image.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8577,7 +8582,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>{law}: limit of sharpness, which ray tracing does not include.</source>
-            <translation>{law} : limite de netteté, que le tracé de rayons n&apos;inclut pas.</translation>
+            <translation>{law} : limite de netteté, que le tracé de rayons n'inclut pas.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8587,7 +8592,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>{slope:.0f}°, deflection up to {turn:.0f}°</source>
-            <translation>{slope:.0f}°, déviation jusqu&apos;à {turn:.0f}°</translation>
+            <translation>{slope:.0f}°, déviation jusqu'à {turn:.0f}°</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -9090,49 +9095,44 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
             <translation>l'ombre du champ lointain et du miroir lui-même est ignorée</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/paths.py" />
+            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
+            <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
             <source>fused kernels, {threads} threads, {precision}</source>
             <translation>noyaux compilés, {threads} fils d'exécution, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>fused kernels, 1 thread, {precision}</source>
             <translation>noyaux compilés, 1 fil d'exécution, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>reference in torch on {device}, {precision}</source>
             <translation>référence en torch sur {device}, {precision}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>no kernel for this path ({faces}): by the reference alone</source>
             <translation>aucun noyau pour ce chemin ({faces}) : par la référence seule</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>float64: float32 has too few digits for this scene</source>
             <translation>float64 : float32 a trop peu de chiffres pour cette scène</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>the kernel could not be compiled ({error}), so this run is many times slower</source>
             <translation>le noyau n'a pas pu être compilé ({error}), cette exécution est donc bien plus lente</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/choice.py" />
+            <location filename="../../workbench/optics/plan.py" />
             <source>compiled kernels could not be kept ({reason}), so each start compiles them again</source>
             <translation>les noyaux compilés n'ont pas pu être conservés ({reason}), chaque démarrage les compile donc à nouveau</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/halves.py" />
-            <source>mirror symmetry: a quarter of the rays</source>
-            <translation>symétrie miroir : un quart des rayons</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/halves.py" />
-            <source>mirror symmetry: half of the rays</source>
-            <translation>symétrie miroir : la moitié des rayons</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
@@ -9170,11 +9170,6 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
             <translation>échantillons sur le miroir, communs à toutes les origines de la lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/total_reflection.py" />
-            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
-            <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/optics/train/entries.py" />
             <source>1 direction of light</source>
             <translation>1 direction de lumière</translation>
@@ -9198,6 +9193,16 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
             <location filename="../../workbench/optics/train/entries.py" />
             <source>mirror symmetry: {some} of them are traced</source>
             <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/incident.py" />
+            <source>mirror symmetry: a quarter of the rays</source>
+            <translation>symétrie miroir : un quart des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/incident.py" />
+            <source>mirror symmetry: half of the rays</source>
+            <translation>symétrie miroir : la moitié des rayons</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />
@@ -9502,7 +9507,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/scene/spectrum.py" />
             <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
-            <translation>donné avec une longueur d&apos;onde de {wavelength:g} µm ; l&apos;un des deux</translation>
+            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/spectrum.py" />
@@ -9541,18 +9546,23 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
+            <source>{face} of {element}</source>
+            <translation>{face} de {element}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; one</source>
             <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
-            <translation>l&apos;élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
+            <translation>l'élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>'diffuser', which {who} cannot take into account; none</source>
-            <translation>&apos;diffuser&apos;, ce que {who} ne peut pas prendre en compte ; aucun</translation>
+            <translation>'diffuser', ce que {who} ne peut pas prendre en compte ; aucun</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9567,7 +9577,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>light leaves {name} at {angle:.0f} degrees from the z axis, too far for a far field; at most {most:g}, or a plane</source>
-            <translation>la lumière quitte {name} à {angle:.0f} degrés de l&apos;axe z, trop pour un champ lointain ; au plus {most:g}, ou un plan</translation>
+            <translation>la lumière quitte {name} à {angle:.0f} degrés de l'axe z, trop pour un champ lointain ; au plus {most:g}, ou un plan</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9577,7 +9587,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>a receiver at {place} may touch the element {name}, or gets none of its light; farther along the light, and across it</source>
-            <translation>un récepteur en {place} peut toucher l&apos;élément {name}, ou n&apos;en reçoit pas de lumière ; plus loin le long de la lumière, et en travers</translation>
+            <translation>un récepteur en {place} peut toucher l'élément {name}, ou n'en reçoit pas de lumière ; plus loin le long de la lumière, et en travers</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9587,12 +9597,12 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
-            <translation>&apos;{name}&apos; est derrière le diffuseur {diffuser} ; placez le diffuseur à la fin</translation>
+            <translation>'{name}' est derrière le diffuseur {diffuser} ; placez le diffuseur à la fin</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
-            <translation>derrière un diffuseur lambertien, toutes les lentilles donnent le même champ lointain ; &apos;plane&apos;, ou {field}: &apos;gaussian&apos;</translation>
+            <translation>derrière un diffuseur lambertien, toutes les lentilles donnent le même champ lointain ; 'plane', ou {field}: 'gaussian'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
@@ -9607,7 +9617,7 @@ Les flèches déplacent le point ou la ligne d&apos;un pixel, avec Maj de dix ; 
         <message>
             <location filename="../../workbench/scene/train_checks.py" />
             <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
-            <translation>{place} n&apos;est pas où va la lumière de {name} ; {by:g} plus loin le long de son axe</translation>
+            <translation>{place} n'est pas où va la lumière de {name} ; {by:g} plus loin le long de son axe</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />

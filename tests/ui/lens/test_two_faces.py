@@ -84,7 +84,7 @@ def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
 
 
 def test_faces_of_two_elements_are_chosen_dragged_and_locked(make_tools, drag, qtbot, make_scene):
-    lens = {**make_scene().elements[0].to_data(), "half_width": [1, 1]}
+    lens = {**make_scene().to_data()["elements"][0], "half_width": [1, 1]}
     data = make_scene().to_data()
     z = data["images"][0]["receiver"]["position"][2]
     data["elements"] = [

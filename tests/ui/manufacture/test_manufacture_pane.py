@@ -74,7 +74,7 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     enter(pane, qtbot, "max_slope", "89")
     assert states(pane)["steepest"] == "✓ met"
     qtbot.waitUntil(lambda: not hatched(pane))
-    concave = pane._found.figures.tightest_concave
+    concave = pane._found.figures["lens"].tightest_concave
     between = f"{(concave.value + concave.bound) / 2:.12g}"
     enter(pane, qtbot, "min_radius", between)
     assert states(pane)["tightest_concave"] == "? not checked yet"
