@@ -187,7 +187,7 @@ def add_export(commands: Any) -> None:
         metavar="UNIT",
         choices=MESH_UNITS,
         default=MILLIMETRES,
-        help="lengths in .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
+        help="of .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
     for name, metavar, does in (
         ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
@@ -217,8 +217,7 @@ def add_export(commands: Any) -> None:
     parser.add_argument(
         "--element",
         metavar="NAME",
-        help="designed element that files of one element hold [the last one]; "
-        ".train.step holds all elements",
+        help="element of files that hold one element [the last one]",
     )
 
 
