@@ -9195,6 +9195,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/train/entries.py" />
+            <source>collimated light: entrance refraction and intersection left out</source>
+            <translation>kollimiertes Licht: Brechung an der Eintrittsfläche und Schnittsuche entfallen</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: a quarter of the rays</source>
             <translation>Spiegelsymmetrie: ein Viertel der Strahlen</translation>
@@ -9316,8 +9321,18 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
+            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
+            <translation>die Kontrollhöhen in {file} stehen in der Einheit der Szene; dieselbe Einheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
             <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
+            <translation>keine Matrix von Kontrollhöhen; eine .npy-Datei mit höchstens {most} × {most} endlichen Zahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/far_field.py" />
@@ -9338,6 +9353,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/lens.py" />
             <source>the entrance face</source>
             <translation>die Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>a B-spline front face needs a B-spline back face; 'bspline'</source>
+            <translation>eine vordere B-Spline-Fläche braucht eine hintere B-Spline-Fläche; 'bspline'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />

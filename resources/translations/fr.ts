@@ -9195,6 +9195,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/train/entries.py" />
+            <source>collimated light: entrance refraction and intersection left out</source>
+            <translation>lumière collimatée : réfraction à l’entrée et recherche d’intersection omises</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: a quarter of the rays</source>
             <translation>symétrie miroir : un quart des rayons</translation>
@@ -9316,8 +9321,18 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
+            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
+            <translation>les hauteurs de contrôle de {file} sont dans l’unité de la scène ; la même unité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
             <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
+            <translation>pas de tableau de hauteurs de contrôle ; un fichier .npy d’au plus {most} × {most} nombres finis</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/far_field.py" />
@@ -9338,6 +9353,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/lens.py" />
             <source>the entrance face</source>
             <translation>la face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>a B-spline front face needs a B-spline back face; 'bspline'</source>
+            <translation>une face avant B-spline demande une face arrière B-spline ; 'bspline'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />

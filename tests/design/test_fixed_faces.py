@@ -2,12 +2,14 @@
 
 import io
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from workbench.analysis.validation import validate
 from workbench.design.design_run import DesignRun
+from workbench.design.limits import HeightLimits
 from workbench.design.task import with_task
 from workbench.errors import Refused
 from workbench.files.session import open_design, read_session, write_session
@@ -129,3 +131,28 @@ def test_other_numbers_of_control_points_and_missing_heights_are_refused(folder)
         "elements[0].faces[1].heights",
         True,
     )
+
+
+def test_an_uneven_fixed_face_is_traced_as_a_whole_before_an_even_target(folder):
+    x, y = np.linspace(-1, 1, 9)[:, None], np.linspace(-1, 1, 7)
+    np.save(folder / "bowl.npy", 4 + 0.4 * x + 0.5 * x**2 * (1 + 0.3 * x) + 0.2 * y**2)
+    begun = open_design(folder / "scene.json")
+    even = replace(begun, target=np.ones_like(begun.target))
+    for snapshot in DesignRun(even, iterations=2):
+        assert not any("mirror symmetry: a quarter" in note for note in snapshot.notes)
+    found = validate(even.scene, even.target, snapshot.state.heights, 400_000)
+    seen = snapshot.state.loss * even.target.size  # of an even target
+    assert found.relative_l2_corrected == pytest.approx(seen, abs=0.01)
+
+
+def test_heights_without_a_file_keep_their_place_in_another_unit(folder):
+    begun = open_design(folder / "scene.json")
+    with pytest.raises(Refused, match=r"bowl\.npy are in the unit") as caught:
+        begun.scene.in_unit("cm")
+    assert caught.value.path == "unit"
+    data = begun.scene.to_data()
+    del data["elements"][0]["faces"][1]["heights"]
+    scene = Scene.from_data(data)
+    kept = scene.with_fixed_heights("stock.back", (folder / "bowl.npy").read_bytes())
+    in_cm = HeightLimits.of_scene(kept.in_unit("cm"))["stock.back"].undesigned
+    np.testing.assert_allclose(10 * in_cm, np.load(folder / "bowl.npy"))

@@ -50,9 +50,9 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     """
     scene, target, locked = bounds.scene, bounds.target, bounds.locked
     device = device_of(scene)
-    mirrored = _mirrored(scene, target, bounds.start, locked)
-    smoothness = Smoothness.of(scene, target, device)
     before = bounds.begin
+    mirrored = _mirrored(scene, target, before, locked)
+    smoothness = Smoothness.of(scene, target, device)
     heights = tensors_of(before, scene)
     image = finest_image(scene, target, heights, mirrored)
     step = image.step(heights)
@@ -150,11 +150,11 @@ def _evaluated(
 def _mirrored(
     scene: Scene,
     target: Array,
-    start: Mapping[str, Array] | None,
+    heights: Mapping[str, Array],
     locked: Mapping[str, Mask] = NO_LOCKS,
 ) -> tuple[bool, bool]:
-    """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
-    nets: list[Array | Mask] = [*(start or {}).values(), *locked.values()]
+    """Whether target, source, receiver, control heights and locks are mirrored in x, in y."""
+    nets: list[Array | Mask] = [*heights.values(), *locked.values()]
     images = scene.wanted(target)
     alone = scene.alone
     receivers = (receiver.mirrored for receiver in (*scene.receivers, *alone.receivers))

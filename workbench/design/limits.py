@@ -65,9 +65,10 @@ class HeightLimits:
     ) -> "HeightLimits":
         """The limits of a fixed face: about its own heights, or its base, where a run keeps it."""
         x, y = net.positions
-        heights = face.base.sag(x[:, None], y) + placed.z
-        if face.carried_heights is not None:
-            heights = face.carried_heights + optic.position[2]
+        own = face.carried_heights
+        heights = (
+            face.base.sag(x[:, None], y) + placed.z if own is None else own + optic.position[2]
+        )
         reach = max(optic.half_width)
         return cls(heights - reach, heights + reach, heights, net.shaping(outline_of(optic)))
 

@@ -1,6 +1,5 @@
 """What a person works on: a design task, the lens found for it, and what belongs to both."""
 
-import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, Self
@@ -19,6 +18,7 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, nets_of
 from workbench.said import Said
 from workbench.scene import Scene, Unit
+from workbench.scene.faces import heights_file
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""
@@ -325,17 +325,16 @@ def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene
 
 def _with_fixed_heights(scene: Scene, before: Scene, heights: ControlHeights) -> Scene:
     """A scene whose fixed faces without a file keep the control heights that are there."""
+    nets, others = nets_of(before), nets_of(scene)
     given = {
         placed.name: element.position[2]
         for element in scene.elements
-        for placed, _ in element.fixed_faces
-        if placed.name in heights and not element.face_files
+        for placed, face in element.fixed_faces
+        if face.content is None and placed.name in heights
     }
-    for face, z in given.items():
-        if nets_of(scene)[face] == nets_of(before)[face]:
-            file = io.BytesIO()
-            np.save(file, heights[face] - z)
-            scene = scene.with_fixed_heights(face, file.getvalue())
+    for name, z in given.items():
+        if others[name] == nets[name]:
+            scene = scene.with_fixed_heights(name, heights_file(heights[name] - z))
     return scene
 
 

@@ -408,6 +408,21 @@ class SplineFace(Part):
         face._content = Content(data)
         return face
 
+    def scaled(self, factor: Fraction) -> Self:
+        """See `Part.scaled`; refuse a file of heights, whose unit is that of the scene."""
+        if self.fixed and self.heights is not None:
+            raise Refused(
+                "unit",
+                Said(
+                    "the control heights in {file} are in the unit of the scene; the same unit",
+                    file=self.heights,
+                ),
+            )
+        face = super().scaled(factor)
+        if self.content is not None:
+            face._content = Content(heights_file(float(factor) * _read_heights(self.content)))
+        return face
+
     @property
     def undesigned(self) -> PlaneFace | ConicFace:
         """The fixed face that it is before the design: its base."""
@@ -448,6 +463,13 @@ class SplineFace(Part):
         return {}
 
 
+def heights_file(heights: Array) -> bytes:
+    """Return the content of a file of control heights; see `SplineFace.carrying`."""
+    file = io.BytesIO()
+    np.save(file, heights)
+    return file.getvalue()
+
+
 def _read_heights(data: bytes) -> Array:
     try:
         heights = np.load(io.BytesIO(data), allow_pickle=False)
@@ -460,10 +482,14 @@ def _read_heights(data: bytes) -> Array:
         and heights.dtype.kind in "fiu"
         and np.isfinite(heights).all()
     ):
-        allowed = (
-            "no array of control heights; a .npy file of {most} × {most} finite numbers at most"
+        raise Refused(
+            "heights",
+            Said(
+                "no array of control heights; a .npy file of at most {most} × {most} finite "
+                "numbers",
+                most=LARGEST_NET,
+            ),
         )
-        raise Refused("heights", Said(allowed, most=LARGEST_NET))
     return heights.astype(np.float64)
 
 

@@ -197,8 +197,10 @@ class Lens(Element):
         """Refuse what cannot be computed with, and what cannot be made."""
         front, back = self.faces
         if front.designed and not back.designed:
-            together = "a B-spline front face needs a B-spline back face; 'bspline'"
-            raise Refused("faces[1].shape", Said(together))
+            raise Refused(
+                "faces[1].shape",
+                Said("a B-spline front face needs a B-spline back face; 'bspline'"),
+            )
         super().check_element()
         if not self.index > 1:
             low = Said("{index:g}; greater than 1 is needed", index=self.index)

@@ -14,7 +14,8 @@ from workbench.said import Said
 from workbench.scene import limits, versions
 from workbench.scene.axis import incoming, leaving
 from workbench.scene.diffuser import Diffuser
-from workbench.scene.element import DEFAULT_WAVELENGTH, Element
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
+from workbench.scene.faces import SplineFace
 from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.image import (
@@ -275,12 +276,16 @@ class Scene(Part):
 
     def face_path(self, name: str | None = None) -> str:
         """Path of a face in the scene, by its id; by default that of the last face of `optic`."""
-        name = name or self.optic.designed_face
+        number, placed = self._placed(name or self.optic.designed_face)
+        return f"elements[{number}].{placed.path}"
+
+    def _placed(self, face: str) -> tuple[int, PlacedFace]:
+        """Index of the element of a face, and where the face stands, by its id."""
         return next(
-            f"elements[{number}].{placed.path}"
+            (number, placed)
             for number, element in enumerate(self.elements)
             for placed in element.placed_faces
-            if placed.name == name
+            if placed.name == face
         )
 
     @property
@@ -430,21 +435,16 @@ class Scene(Part):
 
     def element_of(self, face: str) -> Element:
         """Return the element of a face, by the id of the face."""
-        return next(
-            element
-            for element in self.elements
-            if any(placed.name == face for placed in element.placed_faces)
-        )
+        return self.elements[self._placed(face)[0]]
 
     def with_fixed_heights(self, face: str, data: bytes) -> Self:
         """Return the scene with the content of a file of heights of a fixed face, by its id."""
-        for number, element in enumerate(self.elements):
-            for placed, fixed in element.fixed_faces:
-                if placed.name == face:
-                    with refused_within(f"elements[{number}].{placed.path}"):
-                        carrying = fixed.carrying(data)
-                    return self.with_element(number, element.with_face(face, carrying))
-        return self
+        number, placed = self._placed(face)
+        if not isinstance(placed.face, SplineFace):
+            raise TypeError(f"{face} is no B-spline face")
+        with refused_within(f"elements[{number}].{placed.path}"):
+            carrying = placed.face.carrying(data)
+        return self.with_element(number, self.elements[number].with_face(face, carrying))
 
     def with_contents_of(self, other: "Scene") -> Self:
         """The scene with what another one carries along: files of light, and targets as drawn."""

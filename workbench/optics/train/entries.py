@@ -191,8 +191,10 @@ class SampledFace(_Sampled):
     def notes(self) -> list[str]:
         """See `Entry`."""
         if self.even:
-            first = "collimated light: entrance refraction and intersection left out"
-            return [Said(first), *self._halves.notes]
+            return [
+                Said("collimated light: entrance refraction and intersection left out"),
+                *self._halves.notes,
+            ]
         return super().notes
 
     def start(self, heights: AnyArray, last: Last | None) -> Start:
