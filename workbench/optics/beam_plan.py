@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from functools import cached_property
 
 import numpy as np
 import torch
@@ -14,11 +13,8 @@ from workbench.optics.images.beams import beam_image, box_image
 from workbench.optics.images.rim import rim_light, split_light
 from workbench.optics.images.source_beams import Spots, between_origins, light_apart, spots_of
 from workbench.optics.light import BeamTracer, Light, sum_of_lines
-from workbench.optics.path import Path
-from workbench.optics.plan import Choice, device_of, notes_of_lines, precision_of
-from workbench.optics.reference import Reference
+from workbench.optics.plan import TracedLine, notes_of_lines, traced_lines
 from workbench.optics.samples import Corners
-from workbench.optics.train.compiled import CompiledTrain
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -51,24 +47,17 @@ class BeamPlan:
         fused: bool = True,
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        net = net or ControlNet.of(scene.optic)
-        needed = precision_of(scene, net)
-        fine = dtype is None and needed == torch.float64
-        self._lines = []
-        for line in scene.lines:
-            path = Path.of(line.scene, net, dtype or needed, device_of(scene), Corners(*cells))
-            compiled = CompiledTrain.name if CompiledTrain.matches(path) else None
-            choice = Choice(path, compiled, fused, fine)
-            self._lines.append(_TracedLine(line.part, choice, mirrored))
+        corners = Corners(*cells)
+        self._lines = traced_lines(scene, net, dtype, fused, corners, mirrored)
         # It tells what all lines have nearly alike.
         self._strongest = max(self._lines, key=lambda line: line.part)
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
-        corners = Corners(*cells)
         self._of_source = corners.of_source
         # Of the origins that stand for a source of some size; not of points that are there.
         many = scene.source.continuous and corners.origins > 1
         self.boxes = many and corners.of_source is None
+        path = self._strongest.tracers.path
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
         self._fused = fused
@@ -100,7 +89,7 @@ class BeamPlan:
         far_x, far_y = zip(*(self._extent(line, heights) for line in self._lines), strict=True)
         return max(far_x), max(far_y)
 
-    def _extent(self, line: "_TracedLine", heights: Mapping[str, Tensor]) -> tuple[float, float]:
+    def _extent(self, line: TracedLine, heights: Mapping[str, Tensor]) -> tuple[float, float]:
         with torch.no_grad():
             column, row, flux = line.tracer.nodes(heights).hits
         lands = (flux > 0) & column.isfinite() & row.isfinite()
@@ -175,22 +164,3 @@ class BeamPlan:
         # Light that no ray stands for passes the lens by.
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
         return Light(image, Account(on_screen, lost))
-
-
-class _TracedLine:
-    """One line of the light: its part of the flux, and what traces it."""
-
-    def __init__(self, part: float, choice: Choice, promised: tuple[bool, bool]) -> None:
-        self.part, self.choice, self._promised = part, choice, promised
-
-    @property
-    def tracer(self) -> BeamTracer:
-        return self._compiled if self.choice.compiled else self._reference
-
-    @cached_property
-    def _reference(self) -> Reference:
-        return Reference(self.choice.path)
-
-    @cached_property
-    def _compiled(self) -> BeamTracer:
-        return CompiledTrain(self.choice.path, self._promised)

@@ -18,7 +18,7 @@ from workbench.compiled import unkept
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics import ready
-from workbench.optics.light import Light, Tracer, sum_of_lines
+from workbench.optics.light import Light, sum_of_lines
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Samples
@@ -187,9 +187,43 @@ class Tracers:
         return Reference(self.path)
 
     @cached_property
-    def kernel(self) -> Tracer:
+    def kernel(self) -> CompiledTrain:
         """The compiled train."""
         return CompiledTrain(self.path, self._promised)
+
+
+class TracedLine(NamedTuple):
+    """One line of the light: its part of the flux, and what traces it."""
+
+    part: float
+    tracers: Tracers
+    choice: Choice
+
+    @property
+    def tracer(self) -> CompiledTrain | Reference:
+        """What traces the line now; see `Choice.compiled`."""
+        return self.tracers.kernel if self.choice.compiled else self.tracers.reference
+
+
+def traced_lines(
+    scene: Scene,
+    net: ControlNet | None,
+    dtype: torch.dtype | None,
+    fused: bool,
+    samples: Samples | None,
+    mirrored: tuple[bool, bool],
+) -> list[TracedLine]:
+    """The lines of a scene's light; for the parameters see `Plan`."""
+    net = net or ControlNet.of(scene.optic)
+    needed = precision_of(scene, net)
+    # Fine by the scene's need, not by that of the caller.
+    fine = dtype is None and needed == torch.float64
+    lines = []
+    for line in scene.lines:
+        path = Path.of(line.scene, net, dtype or needed, device_of(scene), samples)
+        tracers = Tracers(path, mirrored)
+        lines.append(TracedLine(line.part, tracers, Choice(path, tracers.compiled, fused, fine)))
+    return lines
 
 
 class Plan:
@@ -218,17 +252,8 @@ class Plan:
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
         self._filter = filter or scene.filter
-        net = net or ControlNet.of(scene.optic)
-        needed = precision_of(scene, net)
-        # Fine by the scene's need, not by that of the caller.
-        fine = dtype is None and needed == torch.float64
         self._redrawn = scene.source.redrawn
-        self._lines = []
-        for line in scene.lines:
-            path = Path.of(line.scene, net, dtype or needed, device_of(scene), samples)
-            tracers = Tracers(path, mirrored)
-            choice = Choice(path, tracers.compiled, fused, fine)
-            self._lines.append(_TracedLine(line.part, tracers, choice))
+        self._lines = traced_lines(scene, net, dtype, fused, samples, mirrored)
 
     def trace(self, heights: Mapping[str, Tensor]) -> Light:
         """Image and light account of a lens.
@@ -260,16 +285,6 @@ class Plan:
             line.part * line.tracers.reference.flux(heights, self._filter) for line in self._lines
         ]
         return sum(images[1:], images[0])
-
-
-class _TracedLine(NamedTuple):
-    part: float
-    tracers: Tracers
-    choice: Choice
-
-    @property
-    def tracer(self) -> Tracer:
-        return self.tracers.kernel if self.choice.compiled else self.tracers.reference
 
 
 def notes_of_lines(count: int) -> list[str]:
