@@ -93,19 +93,18 @@ def shared_start(
     found: list[tuple[float, dict[str, Array], dict[str, float]]] = []
     for weight in _WEIGHTS if len(free) > 1 else (1.0,):
         weights = dict.fromkeys(free, weight) | {free[-1]: 1.0}
-        heights = rough.fitted(undesigned, weights, limits)
-        arrived = float(rough.train.through(heights).flux.sum() / light.flux.sum())
+        heights, behind = rough.fitted(undesigned, light, weights, limits)
+        arrived = float(behind.flux.sum() / light.flux.sum())
         found.append((arrived, heights, weights))
         if arrived >= _ENOUGH:
             break
     arrived, heights, weights = max(found, key=lambda each: each[0])
-    cells, fits = _LEVELS[1]
-    finest = max(max(net.shape) for net in nets.values())
     if not arrived:
         return heights
-    return _Level(scene, target, max(min(cells, finest), _LEVELS[0][0]), fits).fitted(
-        heights, weights, limits
-    )
+    cells, fits = _LEVELS[1]
+    finest = max(max(net.shape) for net in nets.values())
+    fine = _Level(scene, target, max(min(cells, finest), _LEVELS[0][0]), fits)
+    return fine.fitted(heights, fine.train.through(heights), weights, limits)[0]
 
 
 class _Level:
@@ -122,11 +121,15 @@ class _Level:
     def fitted(
         self,
         heights: Mapping[str, Array],
+        light: _Light,
         weights: Mapping[str, float],
         limits: Mapping[str, HeightLimits],
-    ) -> dict[str, Array]:
-        """Heights of faces that send light where it is wanted, from those of other faces."""
-        heights, light = dict(heights), self.train.through(heights)
+    ) -> tuple[dict[str, Array], _Light]:
+        """Heights of faces that send light where it is wanted, and that light.
+
+        Begins with other heights and their light.
+        """
+        heights = dict(heights)
         transport = Transport(light.flux / light.flux.sum(), *self._wanted)
         receiver, view = self._scene.receiver, ReceiverView.of(self._scene)
         to = np.stack(receiver.to_pixels(*view.places(transport)))
@@ -141,7 +144,7 @@ class _Level:
                 placed = limits[face].placed(fit.heights(x, y))
                 heights[face] = limits[face].nearest(placed)
             light = self.train.through(heights)
-        return heights
+        return heights, light
 
 
 def _changes(
