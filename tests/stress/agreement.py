@@ -30,11 +30,11 @@ def disagreements(seed: int, number: int) -> tuple[bool, list[str]]:
     if scene is None:
         return False, []
     try:
-        said = contradictions(scene)
+        found = contradictions(scene)
     except (Refused, RunFailed) as failure:
         assert str(failure).strip()
         return False, []
-    return True, [f"task {number} of seed {seed}: {each}\n{json.dumps(data)}" for each in said]
+    return True, [f"task {number} of seed {seed}: {each}\n{json.dumps(data)}" for each in found]
 
 
 def contradictions(

@@ -50,7 +50,7 @@ def mirror(**fields):
 
 BEAM = light("collimated", profile={"kind": "gaussian", "radius": 0.02})
 FREE = {"shape": "freeform"}
-# Tasks of users of which a run, cells or random rays once said something else than the others.
+# Tasks of users for which a run, cells and random rays contradicted each other.
 REPORTED = {
     "a beam far narrower than the lens": lens() | BEAM | far(20, 10),
     "such a beam on two faces": lens(entrance=FREE) | BEAM | far(20, 10),
