@@ -325,16 +325,17 @@ def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene
 
 def _with_fixed_heights(scene: Scene, before: Scene, heights: ControlHeights) -> Scene:
     """A scene whose fixed faces without a file keep the control heights that are there."""
-    nets, others = nets_of(before), nets_of(scene)
     given = {
         placed.name: element.position[2]
         for element in scene.elements
         for placed, face in element.fixed_faces
         if face.content is None and placed.name in heights
     }
-    for name, z in given.items():
-        if others[name] == nets[name]:
-            scene = scene.with_fixed_heights(name, heights_file(heights[name] - z))
+    if given:  # else the nets may have yet to be chosen
+        nets, others = nets_of(before), nets_of(scene)
+        for name, z in given.items():
+            if others[name] == nets[name]:
+                scene = scene.with_fixed_heights(name, heights_file(heights[name] - z))
     return scene
 
 
