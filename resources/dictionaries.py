@@ -39,7 +39,7 @@ CONTEXT = "workbench"
 OPTICS, RECEIVERS = (Lens, Mirror), (Screen, FarField)
 
 _ROOT = Path(__file__).parent.parent
-_MARKS = ("tr", "later", "Said")
+_MARKS = ("tr", "later", "Message")
 _NO_TEXT = re.compile(r"[\W\d_]*|\.?[a-z_]+")
 
 
@@ -68,7 +68,7 @@ def _all() -> Iterator[tuple[str, str]]:
     yield from ((text, "workbench") for text in _of_engine())
     yield from ((text, "workbench/design/snapshot.py") for text in (*ENDINGS, FAILED))
     for file in sorted((_ROOT / "workbench").rglob("*.py")):
-        if "Said(" in file.read_text(encoding="utf-8"):
+        if "Message(" in file.read_text(encoding="utf-8"):
             yield from ((text, file.relative_to(_ROOT).as_posix()) for text in marked(file))
 
 
@@ -129,7 +129,7 @@ def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:
 
 
 def marked(file: Path) -> Iterator[str]:
-    """Texts in the calls of `tr`, `later` and `Said` in a file of Python, in their order."""
+    """Texts in the calls of `tr`, `later` and `Message` in a file of Python, in their order."""
     tree = ast.parse(file.read_text(encoding="utf-8"))
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and node.args]
     for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):

@@ -13,7 +13,7 @@ from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 import resources
 from workbench.errors import Refused, RunFailed
-from workbench.said import Said
+from workbench.messages import Message
 
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
 """Names by codes; see resources/translations for all but the first."""
@@ -28,7 +28,7 @@ _language = "en"
 
 def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
     """Translate a text or message into the language of the window."""
-    if isinstance(text, Said):
+    if isinstance(text, Message):
         return _translated(text)
     if optic:
         text = text.replace("{optic}", optic)
@@ -37,9 +37,9 @@ def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
     return QCoreApplication.translate(_CONTEXT, text) if text else ""
 
 
-def _translated(message: Said) -> str:
+def _translated(message: Message) -> str:
     values = {
-        name: tr(value) if isinstance(value, Said) else value
+        name: tr(value) if isinstance(value, Message) else value
         for name, value in message.values.items()
     }
     kinds = {name: str(values[name]) for name in ("optic", "receiver") if name in values}

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from workbench.errors import Refused, shown
-from workbench.said import Said
+from workbench.messages import Message
 
 
 @dataclass(frozen=True)
@@ -58,13 +58,15 @@ def refractive_index(name: str, wavelength_um: float) -> float:
         known = ", ".join(CATALOGUE)
         raise Refused(
             "material",
-            Said("{name} is not in the catalogue; known: {known}", name=shown(name), known=known),
+            Message(
+                "{name} is not in the catalogue; known: {known}", name=shown(name), known=known
+            ),
         )
     low, high = material.range_um
     if not low <= wavelength_um <= high:
         raise Refused(
             "source.wavelength_um",
-            Said(
+            Message(
                 "{wavelength:g} is outside the data for {name}; {low:g} to {high:g}",
                 wavelength=wavelength_um,
                 name=name,

@@ -9,28 +9,28 @@ from pathlib import Path
 from typing import BinaryIO
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 
 @contextmanager
 def opened(path: Path) -> Iterator[BinaryIO]:
     """Open an ordinary file for reading; raise Refused if that fails, here or in the block."""
     if "\0" in str(path):  # for which Python raises ValueError
-        raise Refused(str(path), Said("does not exist; no file can have such a name"))
+        raise Refused(str(path), Message("does not exist; no file can have such a name"))
     try:
         # Checked first: opening a pipe would wait for a writer.
         kind = os.stat(path).st_mode
         if stat.S_ISDIR(kind):
-            raise Refused(str(path), Said("is a folder; a file is needed"))
+            raise Refused(str(path), Message("is a folder; a file is needed"))
         if not stat.S_ISREG(kind):
-            raise Refused(str(path), Said("is a device or pipe; an ordinary file is needed"))
+            raise Refused(str(path), Message("is a device or pipe; an ordinary file is needed"))
         with path.open("rb") as file:
             yield file
     except FileNotFoundError as error:
-        raise Refused(str(path), Said("does not exist; the name of a file is needed")) from error
+        raise Refused(str(path), Message("does not exist; the name of a file is needed")) from error
     except OSError as error:
         raise Refused(
-            str(path), Said("cannot be read: {problem}", problem=error.strerror or error)
+            str(path), Message("cannot be read: {problem}", problem=error.strerror or error)
         ) from error
 
 

@@ -6,7 +6,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from workbench.errors import LONGEST_QUOTE, Refused, shown
-from workbench.said import Said
+from workbench.messages import Message
 
 SENTENCES = {
     "missing": "missing; it is required",
@@ -92,7 +92,7 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
         values["input"] = shown(given.get(field))
         kind = kind if given.get(field) is not None else "missing"
     if kind in SENTENCES:
-        return Said(SENTENCES[kind], **values)
+        return Message(SENTENCES[kind], **values)
     message = details["msg"]
     return f"{values['input']}: {message[:1].lower()}{message[1:]}"
 

@@ -8016,8 +8016,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>{field}: {said}</source>
-            <translation>{field}: {said}</translation>
+            <source>{field}: {reason}</source>
+            <translation>{field}: {reason}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />

@@ -8016,7 +8016,7 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>{field}: {said}</source>
+            <source>{field}: {reason}</source>
             <translation>{field} : {said}</translation>
         </message>
         <message>

@@ -18,7 +18,7 @@ from workbench.design.snapshot import Result
 from workbench.design.task import begin, origin, with_task
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
-from workbench.said import Said
+from workbench.messages import Message
 
 
 def test_a_lamp_that_shines_away_from_the_lens_is_refused(make_scene, tmp_path):
@@ -70,7 +70,7 @@ def test_notes_have_their_values_apart(make_scene, changes, beginning):
     shots = list(islice(run(scene, np.ones(scene.receiver.pixels[::-1])), 2))
     notes = {note for shot in shots for note in shot.notes}
     assert any(note.startswith(beginning) for note in notes), notes
-    assert [note for note in notes if not isinstance(note, Said)] == []
+    assert [note for note in notes if not isinstance(note, Message)] == []
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import IN_VAIN, SLOW, Result, has_converged
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.said import Said
+from workbench.messages import Message
 
 
 @pytest.fixture
@@ -49,7 +49,7 @@ def test_seconds_come_back(session, tmp_path):
 
 def test_why_a_run_ended_comes_back_with_its_values(session, tmp_path):
     path = tmp_path / "lens.freeform"
-    ended = Said(IN_VAIN, ended=Said(SLOW, gain=0.25, patience=5))
+    ended = Message(IN_VAIN, ended=Message(SLOW, gain=0.25, patience=5))
     write_session(replace(session, result=replace(session.result, ended=ended)), path)
     found = read_session(path).result.ended
     assert (found, found.words) == (ended, IN_VAIN)

@@ -15,7 +15,7 @@ _SLOW = 1.0  # worth a line
 _MOST_MB = 8000.0  # what no task that is typed in here needs; the program ends before the machine
 _BEAT_MS = 50
 
-# Said on a screen without a window manager, and of the format that VTK's widget asks for each time.
+# Printed without a window manager, and of the format that VTK's widget asks for each time.
 _HARMLESS = ("This plugin does not support", "Setting a new default format")
 
 

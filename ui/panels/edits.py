@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.quantity import read_number
-from workbench.said import Said
 from workbench.scene import Measure, Part, Scene, Unit
 from workbench.scene.paths import value_at
 from workbench.units import sized
@@ -131,7 +131,7 @@ def put(edit: Edit, data: dict[str, Any]) -> None:
     for path, value in edit.changes.items():
         holder, last = holder_of(data, path)
         if not isinstance(holder, list | dict):  # another edit has taken it away
-            raise Refused(path, Said("the task no longer has this field"))
+            raise Refused(path, Message("the task no longer has this field"))
         found = _read(value, path, data["unit"])
         holder[last] = found  # type: ignore[index]  # a list has an index here
 

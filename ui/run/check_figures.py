@@ -20,7 +20,7 @@ from ui.run.check import RAYS, CheckedLens
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel, kept_together
 from ui.words import in_sentence, later, tr
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -250,7 +250,7 @@ class CheckFigures(QWidget):
 
 
 def _rows_of(
-    found: "Validation", difference: float, remark: Said | None, scene: "Scene"
+    found: "Validation", difference: float, remark: Message | None, scene: "Scene"
 ) -> "list[tuple[Fact, str]]":
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.measured.lamps import light_unit
@@ -272,4 +272,4 @@ def _rows_of(
 
 
 def _value(value: str) -> str:
-    return tr(value) if isinstance(value, Said) else value
+    return tr(value) if isinstance(value, Message) else value

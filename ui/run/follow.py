@@ -28,7 +28,7 @@ from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
 from workbench.design.snapshot import STOPPED
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -256,7 +256,7 @@ class Follow(QObject):
         best = design.job.best.take()
         if best is not None and best.iterations and design.session is self._wanted:
             # Whatever ends the design before it does so itself, it can go on from there.
-            self._put(design, replace(best, ended=Said(STOPPED)))
+            self._put(design, replace(best, ended=Message(STOPPED)))
 
     def _note_lens(self, design: _Design) -> None:
         if not design.has_lens:

@@ -15,8 +15,8 @@ from ui.window.edit_notices import Notice
 from ui.words import tr
 from workbench.design.limits import Shortfall, wider_entrance
 from workbench.files.session import Session
+from workbench.messages import Message
 from workbench.optics.account import LOSSES
-from workbench.said import Said
 
 if TYPE_CHECKING:
     from ui.run.control import RunControl
@@ -215,7 +215,7 @@ class TotalReflectionNotice(QObject):
         if found is None or heights is None:
             return
         self._view.show_spots(heights, found.places)
-        message = Said(
+        message = Message(
             "{where}, as marked in the 3D scene: {cure}.",
             where=found.sentence(session.scene),
             cure=LOSSES["total_reflection"].cure_in(session.scene),

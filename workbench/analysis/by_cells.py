@@ -14,8 +14,8 @@ from workbench.analysis.scatter import CorrectedDistance, IndependentError, trac
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.arrays import Array
+from workbench.messages import Message
 from workbench.progress import Steps, within
-from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
 # Student's t of the batches: each of two tests gives a false alarm in at most one of 80,000 checks.
@@ -60,10 +60,10 @@ class Agreement(NamedTuple):
     image: CorrectedDistance  # between the two images
 
     @property
-    def contradiction(self) -> Said | None:
+    def contradiction(self) -> Message | None:
         """Message if the two differ by more than noise and bounds explain."""
         if self.share.off(self.by_cells, _MARGIN * self.bound + _LEAST * self.by_cells):
-            return Said(
+            return Message(
                 "the check contradicts itself: {cells:.4g} % of the light on the receiver by "
                 "cells, {rays:.4g} % by random rays; no figure of this check is reliable",
                 cells=100 * self.by_cells,
@@ -73,7 +73,7 @@ class Agreement(NamedTuple):
             return None
         allowed = max(_MARGIN * self.image_bound, _LEAST)
         if self.image.surely_above(allowed, _T):
-            return Said(
+            return Message(
                 "the check contradicts itself: the images by cells and by random rays are "
                 "{apart:.3g} % apart, which noise and error bound do not explain; no figure of "
                 "this check is reliable",
@@ -84,21 +84,21 @@ class Agreement(NamedTuple):
 
 def run_apart(
     image_apart: float, image_off: float, share: float, by_check: float, share_off: float
-) -> Said | None:
+) -> Message | None:
     """Return a message if the image of a run differs from the check by more than their errors.
 
     `image_apart`: relative L2 difference of the images; `share`, `by_check`: part of the emitted
     flux on the receiver by the run and by the check; `image_off`, `share_off`: errors of the check.
     """
     if abs(share - by_check) > share_off + _SHARE_OF_RUN:
-        return Said(
+        return Message(
             "the run finds {run:.4g} % of the light on the receiver, the check {check:.4g} %: "
             "use the figures of the check",
             run=100 * share,
             check=100 * by_check,
         )
     if image_apart > image_off + _OF_RUN:
-        return Said(
+        return Message(
             "the image of the run is {apart:.3g} % off the image of the check: use the figures "
             "of the check",
             apart=100 * image_apart,
@@ -185,7 +185,7 @@ class ByCells:
         return self.difference / self.noise if self.noise > 0 else None
 
     @property
-    def contradiction(self) -> Said | None:
+    def contradiction(self) -> Message | None:
         """Message if random rays contradict the cells; see `Agreement`."""
         return self.agreement and self.agreement.contradiction
 
@@ -197,14 +197,14 @@ class ByCells:
         return f"{BATCHES} independent images of {self.independent.rays:,} random rays together"
 
     @property
-    def less_exact(self) -> Said | None:
+    def less_exact(self) -> Message | None:
         """Message if the error is less exact than requested, with the reason."""
-        off, why = self.bound, Said("finer cells would take too long")
+        off, why = self.bound, Message("finer cells would take too long")
         if self.independent is not None:
-            off, why = self.independent.unscattered.off, Said("that needs more rays")
+            off, why = self.independent.unscattered.off, Message("that needs more rays")
         if off <= self.wanted:
             return None
-        return Said(
+        return Message(
             "off by up to {off:g} %, not {wanted:.2g} %: {why}",
             off=_no_less(100 * off),
             wanted=100 * self.wanted,

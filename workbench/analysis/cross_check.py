@@ -14,8 +14,8 @@ from workbench.analysis.scatter import CorrectedDistance
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
+from workbench.messages import Message
 from workbench.progress import Progress, fraction_of, no_progress
-from workbench.said import Said
 from workbench.scene import Lens, Scene
 from workbench.scene.losses import TakesLight
 
@@ -117,7 +117,7 @@ def cross_check(
         ],
     }
     if not all(image.sum() > 0 for images in light.values() for image in images):
-        dark = Said("no light of this lens reaches the screen, so there is nothing to compare")
+        dark = Message("no light of this lens reaches the screen, so there is nothing to compare")
         raise RunFailed(dark)
     (m_1, m_2), (o_1, o_2) = ([i / i.sum() for i in images] for images in light.values())
     size = _norm((o_1 + o_2) / 2)

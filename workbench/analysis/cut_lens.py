@@ -17,8 +17,8 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.ball_cutter import Raster
+from workbench.messages import Message
 from workbench.progress import Steps, of_equal, within
-from workbench.said import Said
 from workbench.scene import Scene
 
 
@@ -29,9 +29,9 @@ class CutLens(NamedTuple):
     cut: CorrectedDistance
 
     @property
-    def sentence(self) -> Said:
+    def sentence(self) -> Message:
         """Both errors in words."""
-        return Said(
+        return Message(
             "Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % "
             "(± {designed_off:.1g}).",
             cut=100 * self.cut.distance,
@@ -55,7 +55,7 @@ def tracing_cut(
     scene.check_one_element("the trace of a cut lens")
     optic = scene.optic
     if optic.onwards < 0:
-        raise Refused("mirror", Said("its cut is not traced; only that of an exit face is"))
+        raise Refused("mirror", Message("its cut is not traced; only that of an exit face is"))
     images: list[list[Array]] = [[], []]
     lines = scene.lines
     for number in range(BATCHES):

@@ -15,8 +15,8 @@ from torch.autograd import forward_ad
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.messages import Message
 from workbench.optics.plan import Plan, tensors_of
-from workbench.said import Said
 from workbench.scene import Scene
 
 # Torch has one level of dual numbers for all threads.
@@ -89,12 +89,13 @@ def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
     for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(
-                f"index[{axis}]", Said("{i} is no control point; 0 to {last}", i=i, last=count - 1)
+                f"index[{axis}]",
+                Message("{i} is no control point; 0 to {last}", i=i, last=count - 1),
             )
     if not scene.filter.smooth:
         raise Refused(
             "filter.kind",
-            Said(
+            Message(
                 "'{kind}' counts rays by pixel, which has no derivative; 'gaussian'",
                 kind=scene.filter.kind,
             ),
@@ -103,5 +104,5 @@ def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
         if size == 1:
             raise Refused(
                 f"filter.size[{axis}]",
-                Said("1 counts rays by pixel, which has no derivative; 3 or more"),
+                Message("1 counts rays by pixel, which has no derivative; 3 or more"),
             )

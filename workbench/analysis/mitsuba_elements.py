@@ -16,7 +16,7 @@ from workbench.errors import Refused
 from workbench.geometry.face_grids import face_normals, face_points
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import ConicFace, Element, Lens, Mirror, Scene, Screen
 from workbench.scene.kinds import row_of
 
@@ -92,7 +92,7 @@ def mitsuba_elements(
     stations = _stations(scene, screen)
     for number, each in enumerate(scene.elements):
         if not isinstance(each, tuple(_KINDS)):
-            unknown = Said("Mitsuba is given no {kind}; leave it out to compare", kind=each.kind)
+            unknown = Message("Mitsuba is given no {kind}; leave it out to compare", kind=each.kind)
             raise Refused(f"elements[{number}].kind", unknown)
         element = each.lit(scene.source.wavelength)
         reach = min(_free_reach(stations, number, each), _BAFFLE * unit)

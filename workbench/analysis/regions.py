@@ -7,7 +7,7 @@ from typing import Any
 
 from workbench.arrays import Array
 from workbench.measured.lamps import IN_PARTS, LightUnit
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.raster import coverage
 
@@ -34,20 +34,20 @@ class RegionLight:
         return self.least / self.mean
 
     @property
-    def words(self) -> Said:
+    def words(self) -> Message:
         """Flux and uniformity in words."""
         part, even = 100 * self.share, "–" if self.uniformity is None else f"{self.uniformity:.3f}"
         if self.least is None or self.most is None or not self.mean:
-            return Said("{part:.3f} % of the light, least / mean {even}", part=part, even=even)
+            return Message("{part:.3f} % of the light, least / mean {even}", part=part, even=even)
         if self.unit.lumens is None:
-            return Said(
+            return Message(
                 "{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}",
                 part=part,
                 even=even,
                 most=self.most / self.mean,
             )
         mean, least, most = map(self.unit.density_in_words, (self.mean, self.least, self.most))
-        return Said(
+        return Message(
             "{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, "
             "least / mean {even}",
             part=part,

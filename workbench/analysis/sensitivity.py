@@ -9,11 +9,11 @@ from workbench.arrays import Array
 from workbench.design.levels import FINE, cells_of
 from workbench.errors import Refused
 from workbench.geometry.faces import ControlHeights, FaceArrays
+from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import tensors_of
 from workbench.optics.samples import Corners
-from workbench.said import Said
 from workbench.scene import Scene
 from workbench.scene.paths import value_at, with_values
 
@@ -64,7 +64,7 @@ def _by(
 ) -> Sensitivity:
     number = value_at(scene, path)
     if isinstance(number, bool) or not isinstance(number, int | float):
-        raise Refused(path, Said("no number; a number as in lens.thickness is needed"))
+        raise Refused(path, Message("no number; a number as in lens.thickness is needed"))
     step = _STEP * (abs(number) or max(scene.optic.half_width))
 
     def slope(step: float) -> float:

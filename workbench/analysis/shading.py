@@ -14,7 +14,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Scene
 
 SHADED = "meets the face again", "comes through the screen"
@@ -33,17 +33,17 @@ class Shading:
     through_receiver: float  # comes to the first face through the receiver
 
     @property
-    def figures(self) -> dict[str, Said]:
+    def figures(self) -> dict[str, Message]:
         """Blocked light in words, by the names of `SHADED`; empty without any."""
         parts = dict(zip(SHADED, (self.meets_again, self.through_receiver), strict=True))
         said = {
-            name: Said("{part:.3g} % of the light", part=100 * part)
+            name: Message("{part:.3g} % of the light", part=100 * part)
             for name, part in parts.items()
             if part
         }
         if self.at is not None:
             x, y = self.at
-            said[SHADED[0]] = Said(
+            said[SHADED[0]] = Message(
                 "{share}, most around ({x:.4g}, {y:.4g})", share=said[SHADED[0]], x=x, y=y
             )
         return said

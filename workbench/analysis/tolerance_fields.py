@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Literal
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from workbench.scene import Scene
@@ -48,16 +48,18 @@ class ToleranceField:
         if size and not self.there(scene):
             raise Refused(
                 name,
-                Said(
+                Message(
                     "{angle:g} degrees change nothing: {absent}; 0", angle=angle, absent=self.absent
                 )
                 if self.unit == "degrees"
-                else Said("{size:g} changes nothing: {absent}; 0", size=size, absent=self.absent),
+                else Message(
+                    "{size:g} changes nothing: {absent}; 0", size=size, absent=self.absent
+                ),
             )
         if self.unit == "degrees" and not 0 <= size < math.pi / 4:
-            raise Refused(name, Said("{angle:g} degrees; at least 0, less than 45", angle=angle))
+            raise Refused(name, Message("{angle:g} degrees; at least 0, less than 45", angle=angle))
         if not 0 <= size < math.inf:
-            raise Refused(name, Said("{size:g}; a finite number from 0 is needed", size=size))
+            raise Refused(name, Message("{size:g}; a finite number from 0 is needed", size=size))
 
 
 def _tolerance(*about: Any, default: Any = 0.0, **more: Any) -> Any:
@@ -68,7 +70,7 @@ def _between_faces(scene: "Scene") -> bool:
     return scene.optic.most_faces > 1
 
 
-_ONE_FACE = Said("a mirror has no other face")
+_ONE_FACE = Message("a mirror has no other face")
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class Tolerances:
         "index off by up to",
         "",
         there=lambda scene: scene.optic.index > 1,
-        absent=Said("there is no glass"),
+        absent=Message("there is no glass"),
     )
     # Uniform.
     distance: float = _tolerance(
@@ -116,7 +118,7 @@ class Tolerances:
         "distance off by up to",
         "length",
         there=lambda scene: scene.receiver.at_distance,
-        absent=Said("a far field is at no distance"),
+        absent=Message("a far field is at no distance"),
     )
     source_tilt: float = _tolerance(
         "Source tilt",
@@ -124,7 +126,7 @@ class Tolerances:
         "source tilt up to",
         "degrees",
         there=lambda scene: scene.source.turns,
-        absent=Said("this source lights the lens alike however it is turned"),
+        absent=Message("this source lights the lens alike however it is turned"),
     )
     # Uniform in the ball.
     source_shift: float = _tolerance(
@@ -133,7 +135,7 @@ class Tolerances:
         "source shift up to",
         "length",
         there=lambda scene: scene.source.moves,
-        absent=Said("even light from infinitely far is the same everywhere"),
+        absent=Message("even light from infinitely far is the same everywhere"),
     )
     # RMS and correlation length.
     surface: tuple[float, float] = _tolerance(
@@ -185,16 +187,18 @@ class Tolerances:
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic
         if self.index:
-            _check_below("index", self.index, optic.index - 1, Said("else there may be no glass"))
+            _check_below(
+                "index", self.index, optic.index - 1, Message("else there may be no glass")
+            )
         if self.distance:
             last = scene.elements[-1]
             limit = last.onwards * (scene.receiver.plane_z - last.edge_z)
-            touch = Said("else the screen may touch the {optic}", optic=optic.called)
+            touch = Message("else the screen may touch the {optic}", optic=optic.called)
             _check_below("distance", self.distance, limit, touch)
         if self.source_shift:
             source, first = scene.entrance
             limit = first.front_z - source.nearest_z
-            touch = Said("else the source may touch the {optic}", optic=optic.called)
+            touch = Message("else the source may touch the {optic}", optic=optic.called)
             _check_below("source_shift", self.source_shift, limit, touch)
         width = 2 * max(optic.half_width)
         for name in PAIRS:
@@ -202,7 +206,7 @@ class Tolerances:
             if amplitude > 0 and not FINEST * width <= scale <= width:
                 raise Refused(
                     f"{name}[1]",
-                    Said(
+                    Message(
                         "{scale:g}; from {least:g} to {width:g}",
                         scale=scale,
                         least=FINEST * width,
@@ -226,14 +230,14 @@ def _check_train(scene: "Scene", sizes: Mapping[str, float]) -> None:
         scene.check_one_element("tolerances")
     for name in ("source_tilt", "exit_tilt", "exit_decentre"):
         if sizes[name]:
-            raise Refused(name, Said("{size:g}; a train has no such error, 0", size=sizes[name]))
+            raise Refused(name, Message("{size:g}; a train has no such error, 0", size=sizes[name]))
 
 
 def _check_below(name: str, size: float, limit: float, otherwise: str) -> None:
     if not size < limit:
         raise Refused(
             name,
-            Said(
+            Message(
                 "{size:g}; at least 0, less than {room:g}, {otherwise}",
                 size=size,
                 room=limit,

@@ -20,7 +20,7 @@ from workbench.analysis.validation import validate
 from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Element, Lens, Scene, SplineFace
 from workbench.scene.material import denser
 from workbench.scene.turning import tilt_of, turned
@@ -299,7 +299,7 @@ def _check_faces(optic: Element, heights: Mapping[str, Array], tolerances: Toler
         if lower >= found.thinnest.bound / 2:  # half of the thickness for each of the two errors
             raise Refused(
                 name,
-                Said(
+                Message(
                     "the exit face may come {lower:.3g} nearer to the entrance face, "
                     "more than half of the least thickness {half:.3g}: less is needed",
                     lower=lower,

@@ -30,9 +30,9 @@ from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.measured.lamps import light_unit
+from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.progress import Progress, Steps, finished, no_progress, of_equal, within
-from workbench.said import Said
 from workbench.scene import Scene
 
 Images = list[npt.NDArray[np.float32]]
@@ -172,14 +172,14 @@ def _of_one(
 
 def _reason_without_cells(
     scene: Scene, by_cells: ByCells | None, corrected: CorrectedDistance
-) -> Said | None:
+) -> Message | None:
     """Why the check has no deterministic figure; None where it has one."""
     if scene.is_train:
-        return Said("cells follow light through one element only; random rays are used")
+        return Message("cells follow light through one element only; random rays are used")
     if by_cells is None:
-        return Said("finer cells would take too long: ask for more rays")
+        return Message("finer cells would take too long: ask for more rays")
     if by_cells.poorer_than(corrected.interval):
-        return Said(
+        return Message(
             "cells are off by up to {bound:.2g} %, more than random rays: ask for more rays",
             bound=100 * by_cells.bound,
         )
@@ -214,7 +214,7 @@ def _traced(
     assert total is not None
     account = _account(total)
     if account.on_screen == 0:
-        dark = Said("no light of this lens reaches the screen, so there is no image to judge")
+        dark = Message("no light of this lens reaches the screen, so there is no image to judge")
         raise RunFailed(dark)
     irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
     return account, irradiance, spread, images
@@ -226,7 +226,7 @@ def _of_parts(
     """The distance of a file's image to each reference, from images of parts of its rays."""
     found = [CorrectedDistance.of_pairs(batches, reference) for reference in references]
     if math.isinf(found[0].off):
-        few = Said(
+        few = Message(
             "so few rays of the file come to the {receiver} that some of {parts} parts of them "
             "make no image: the check needs a file of more rays",
             parts=BATCHES,

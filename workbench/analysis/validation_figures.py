@@ -11,8 +11,8 @@ from workbench.analysis.metrics import Quality, relative_l2, root
 from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading
 from workbench.arrays import Array
+from workbench.messages import Message
 from workbench.optics.account import Account
-from workbench.said import Said
 from workbench.scene import AnyReceiver
 
 Interval = tuple[float, float]
@@ -57,7 +57,7 @@ class Validation:
         The efficiency with its noise.
     by_cells : ByCells, optional
         The deterministic check, if requested and possible.
-    left_out : Said, optional
+    left_out : Message, optional
         Why the deterministic check is missing although requested.
     shading : Shading, optional
         Light that the lens or the receiver blocks, with the deterministic check.
@@ -83,7 +83,7 @@ class Validation:
     image_noise: float
     share: RandomShare
     by_cells: ByCells | None = None
-    left_out: Said | None = None
+    left_out: Message | None = None
     shading: Shading | None = None
     regions: tuple[RegionLight, ...] = ()
     further: tuple["Validation", ...] = ()
@@ -103,12 +103,12 @@ class Validation:
         return CombinedError.of(self.images) if self.further else self.by_cells or self
 
     @property
-    def contradiction(self) -> Said | None:
+    def contradiction(self) -> Message | None:
         """Message if the two traces contradict each other: then no figure is reliable."""
         by_cells = (image.by_cells for image in self.images if image.by_cells)
         return next((each.contradiction for each in by_cells if each.contradiction), None)
 
-    def beside_run(self, run: Array, receiver: AnyReceiver) -> Said | None:
+    def beside_run(self, run: Array, receiver: AnyReceiver) -> Message | None:
         """Return a message if the image (n_y, n_x) of a run differs by more than the errors."""
         share, noise = self.share, self.image_noise
         cells = self.by_cells

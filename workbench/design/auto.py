@@ -31,9 +31,9 @@ from workbench.design.snapshot import GAINED, NO_IMAGE
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import freeform_nets
+from workbench.messages import Message
 from workbench.optics.plan import device_of, tensors_of
 from workbench.progress import check_given_up, check_interruption
-from workbench.said import Said
 from workbench.scene import Scene
 
 Steps = Generator[Step, None, str]
@@ -198,10 +198,10 @@ def with_gain(both: Steps, bounds: Bounds, steps: Callable[[Bounds], Steps]) -> 
                 check_interruption()
                 alone.append(step.state.loss)
     except RunFailed:
-        return Said(NO_IMAGE, ended=ended)
+        return Message(NO_IMAGE, ended=ended)
     if not alone or min(alone) == 0:
         return ended
-    return Said(
+    return Message(
         GAINED,
         ended=ended,
         iterations=len(losses) - 1,

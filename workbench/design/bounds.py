@@ -13,8 +13,8 @@ from workbench.design.limits import CLOSEST, Cause, HeightLimits, Shortfall, bou
 from workbench.design.transport import First, behind_flat_entrance, first_design
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
+from workbench.messages import Message
 from workbench.process import release_freed_memory
-from workbench.said import Said
 from workbench.scene import Element, Scene
 
 _AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
@@ -262,7 +262,7 @@ class Bounds:
             return found
         assert self._ranged.height_range is not None
         most = self._ranged.height_range[1]
-        within = Said(
+        within = Message(
             "heights within {most:.3g} {unit} of the base", most=most, unit=self.scene.unit
         )
         return (*found, within)

@@ -16,9 +16,9 @@ from workbench.errors import Refused
 from workbench.extended.blur import Blur
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import nets_of
+from workbench.messages import Message
 from workbench.optics.plan import device_of
 from workbench.optics.sources import emitter_of
-from workbench.said import Said
 from workbench.scene import AutoNet, Scene
 from workbench.scene.stages import refused_in_stage
 from workbench.scene.viewing import pixel_side
@@ -59,12 +59,12 @@ def check_stages(
         check_body(finished, kept)
 
 
-def grazed(scene: Scene) -> Said | None:
+def grazed(scene: Scene) -> Message | None:
     """What will be worse for light that grazes a receiver, and what helps; None where none does."""
     for part in scene.single:
         slant = part.receiver.slant(part.optic)
         if slant > _GRAZES:
-            return Said(
+            return Message(
                 "light grazes the far side of the {receiver}, at {slant:.0f} degrees from "
                 "across it, where the image is less exact; turn the {receiver} towards the "
                 "{optic}, or move its middle nearer to the axis",
@@ -75,7 +75,7 @@ def grazed(scene: Scene) -> Said | None:
     return None
 
 
-def reversed_on_lit_side(scene: Scene, target: Array) -> Said | None:
+def reversed_on_lit_side(scene: Scene, target: Array) -> Message | None:
     """Which picture reads the wrong way round from where its light comes; None where none does.
 
     A scene that says from where its pictures are viewed needs no remark, and neither do those that
@@ -84,7 +84,7 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Said | None:
     for part, light, _ in scene.wanted(target):
         unsaid = part.target.viewed_from is None and pixel_side(part) == "back"
         if unsaid and np.abs(light - light[:, ::-1]).sum() > _SYMMETRIC * light.sum():
-            return Said(
+            return Message(
                 "the picture is mirror-inverted for viewers on the side of the light, and reads "
                 'right from behind the {receiver}; target.viewed_from "front" turns it around',
                 receiver=part.receiver.called,
@@ -101,7 +101,9 @@ def _check_lit(part: Scene) -> None:
     if not emitter_of(source, first).towards(x, y).flux.any():
         raise Refused(
             "source",
-            Said("none of its light goes to the {optic}; turn or move it", optic=part.optic.called),
+            Message(
+                "none of its light goes to the {optic}; turn or move it", optic=part.optic.called
+            ),
         )
 
 
@@ -112,7 +114,7 @@ def _check_fixed(part: Scene, start: Mapping[str, Array]) -> None:
             if face.content is None and placed.name not in start:
                 raise Refused(
                     f"elements[{number}].{placed.path}.heights",
-                    Said("the control heights of the fixed face are missing; a file (.npy)"),
+                    Message("the control heights of the fixed face are missing; a file (.npy)"),
                 )
 
 
@@ -121,7 +123,7 @@ def _check_net(part: Scene, finished: Scene) -> None:
     if nets_of(part) != nets_of(finished):
         raise Refused(
             f"{part.face_path()}.control_points",
-            Said(
+            Message(
                 "{net} are not the control points of the finished {optic} that are locked; leave "
                 "the stage's net out or unlock them",
                 net=list(part.optic.net_shape),
@@ -146,9 +148,9 @@ class CoarseNet:
     finer: tuple[int, int]
 
     @property
-    def sentence(self) -> Said:
+    def sentence(self) -> Message:
         """What is left and why, and what helps."""
-        return Said(
+        return Message(
             "The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the "
             "detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.",
             error=100 * self.error,

@@ -21,8 +21,8 @@ from torch import Tensor
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.snapshot import FLAT, LOWEST, SLOW, SMALL
+from workbench.messages import Message
 from workbench.optics.account import UnbalancedAccount
-from workbench.said import Said
 
 # A blur damps waves of which it is wider than this part of a period: a disc leaves 2 J₁(πf) / (πf)
 # of a wave, which falls as 2 √(2/π) (πf)^-1.5 from here on.
@@ -313,20 +313,20 @@ def descend(
             yield there.seen
             errors.append(math.sqrt(there.value))
             if errors[-1] < _SMALLEST:
-                return Said(SMALL, error=100 * _SMALLEST)
+                return Message(SMALL, error=100 * _SMALLEST)
             ended = _slow(errors, patience, descent)
             if ended or errors[0] < descent.above:
                 break
-    return ended or Said(LOWEST)
+    return ended or Message(LOWEST)
 
 
-def _slow(errors: Sequence[float], patience: int, descent: Descent) -> Said | None:
+def _slow(errors: Sequence[float], patience: int, descent: Descent) -> Message | None:
     """That so many steps together gain little, if they do."""
     if len(errors) <= patience:
         return None
     lower = errors[-1 - patience] - errors[-1]
     if lower < descent.gain * errors[-1 - patience]:
-        return Said(SLOW, gain=100 * descent.gain, patience=patience)
+        return Message(SLOW, gain=100 * descent.gain, patience=patience)
     if lower < descent.points:
-        return Said(FLAT, points=100 * descent.points, patience=patience)
+        return Message(FLAT, points=100 * descent.points, patience=patience)
     return None

@@ -17,12 +17,12 @@ from workbench.extended.blur import Blur
 from workbench.extended.scattering import Directions, Scattering
 from workbench.extended.wanted import wanted_light
 from workbench.geometry.surface import nets_of
+from workbench.messages import Message
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import device_of
 from workbench.optics.samples import Corners
-from workbench.said import Said
 from workbench.scene import GaussianScatter, Scene, Screen, WantedImage
 
 # Rays that tell the directions of light at a receiver, and the degree of polynomials through them.
@@ -60,7 +60,7 @@ class ScatteredPlan:
     def notes(self) -> tuple[str, ...]:
         """See `BeamImages`."""
         x, y = self._scattering.widths
-        scattered = Said("the diffuser blurs it over {x:.3g} × {y:.3g} pixels", x=x, y=y)
+        scattered = Message("the diffuser blurs it over {x:.3g} × {y:.3g} pixels", x=x, y=y)
         return *self._plan.notes, scattered
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:

@@ -20,11 +20,11 @@ from torch.autograd.function import once_differentiable
 from workbench.arrays import Array
 from workbench.extended.blur import Blur, changes_at
 from workbench.measured.lamps import of_known_size
+from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.samples import Corners
-from workbench.said import Said
 from workbench.scene import Scene
 
 # Places of the lens that are looked at, and cells of the source: its middle and its rim.
@@ -249,7 +249,7 @@ class BlurredPlan:
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         x, y = self._blur.mean.widths
-        blurred = Said("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
+        blurred = Message("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
         return *self._plan.notes, blurred
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:

@@ -10,7 +10,7 @@ from workbench.errors import Refused
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Element, PlacedFace, Scene, SplineFace
 
 # A surface stays this part of its extent along z away from an end where the interval allows it:
@@ -189,12 +189,14 @@ Interval = tuple[float, float]
 # Entrance ranges that are tried, times the one before.
 _WIDER = 2.0, 1.5, 1.25, 1.1
 
-_CURES: dict[Cause, Said] = {
-    "height_range": Said("widen the height range, or leave it out"),
-    "max_thickness": Said("thicker stock, or a smaller minimal thickness, lets the lens bend more"),
-    "min_thickness": Said("a higher base or a smaller minimal thickness gives it room"),
-    "screen": Said("move the screen away from the lens"),
-    "entrance_range": Said("widen the entrance range"),
+_CURES: dict[Cause, Message] = {
+    "height_range": Message("widen the height range, or leave it out"),
+    "max_thickness": Message(
+        "thicker stock, or a smaller minimal thickness, lets the lens bend more"
+    ),
+    "min_thickness": Message("a higher base or a smaller minimal thickness gives it room"),
+    "screen": Message("move the screen away from the lens"),
+    "entrance_range": Message("widen the entrance range"),
 }
 
 
@@ -213,7 +215,7 @@ class Shortfall:
     # part that the face fills.
     share: float
 
-    def sentence(self, scene: Scene) -> Said:
+    def sentence(self, scene: Scene) -> Message:
         """What is needed and what is allowed by a scene."""
         if self.cause == "entrance_range":
             values = {
@@ -222,17 +224,17 @@ class Shortfall:
                 "unit": scene.unit,
             }
             if self.automatic_in(scene):
-                return Said(
+                return Message(
                     "The entrance face fills {part:.0f} % of its automatic range of {range} {unit}",
                     **values,
                 )
-            return Said(
+            return Message(
                 "The entrance face fills {part:.0f} % of its range of {range} {unit}, and would "
                 "bend more of the light in a wider one",
                 **values,
             )
         if self.cause == "min_thickness":
-            return Said(
+            return Message(
                 "{part:.0f} % of the control heights are at the minimal thickness of "
                 "{thinnest:.3g} {unit}",
                 part=100 * self.share,
@@ -241,21 +243,21 @@ class Shortfall:
             )
         return self._in_range(scene) if self.cause == "height_range" else self._in_stock(scene)
 
-    def _in_range(self, scene: Scene) -> Said:
+    def _in_range(self, scene: Scene) -> Message:
         unit = scene.unit
         offsets = _offsets(self.allowed)
         allowed = (
-            Said("{range} {unit} is the automatic limit", range=offsets, unit=unit)
+            Message("{range} {unit} is the automatic limit", range=offsets, unit=unit)
             if self.automatic_in(scene)
-            else Said("{range} {unit} is allowed", range=offsets, unit=unit)
+            else Message("{range} {unit} is allowed", range=offsets, unit=unit)
         )
         if self.needed is None:
-            return Said(
+            return Message(
                 "{part:.0f} % of the control heights are at an end of their range; {allowed}",
                 part=100 * self.share,
                 allowed=allowed,
             )
-        return Said(
+        return Message(
             "The {optic} needs {range} {unit}; {allowed}",
             optic=scene.optic.called,
             range=_offsets(self.needed),
@@ -263,25 +265,27 @@ class Shortfall:
             allowed=allowed,
         )
 
-    def _in_stock(self, scene: Scene) -> Said:
+    def _in_stock(self, scene: Scene) -> Message:
         unit, thickest = scene.unit, self.allowed[1]
         if self.automatic_in(scene):
-            allowed = Said(
+            allowed = Message(
                 "{thickest:.3g} {unit} is the automatic limit", thickest=thickest, unit=unit
             )
         elif self.cause == "screen":
-            allowed = Said(
+            allowed = Message(
                 "the screen leaves room for {thickest:.3g} {unit}", thickest=thickest, unit=unit
             )
         else:
-            allowed = Said("the stock allows {thickest:.3g} {unit}", thickest=thickest, unit=unit)
+            allowed = Message(
+                "the stock allows {thickest:.3g} {unit}", thickest=thickest, unit=unit
+            )
         if self.needed is None:
-            return Said(
+            return Message(
                 "{part:.0f} % of the control heights are at the largest thickness; {allowed}",
                 part=100 * self.share,
                 allowed=allowed,
             )
-        return Said(
+        return Message(
             "The {optic} needs to be {needed:.3g} {unit} thick; {allowed}",
             optic=scene.optic.called,
             needed=self.needed[1],
@@ -289,13 +293,15 @@ class Shortfall:
             allowed=allowed,
         )
 
-    def in_full(self, scene: Scene) -> Said:
+    def in_full(self, scene: Scene) -> Message:
         """The sentence, and what helps."""
-        return Said("{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure_in(scene))
+        return Message(
+            "{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure_in(scene)
+        )
 
-    def at_field(self, scene: Scene) -> Said:
+    def at_field(self, scene: Scene) -> Message:
         """The sentence and what helps, behind the path of the field that holds the limit."""
-        return Said("{field}: {said}", field=self._field(scene), said=self.in_full(scene))
+        return Message("{field}: {reason}", field=self._field(scene), reason=self.in_full(scene))
 
     def _field(self, scene: Scene) -> str:
         thickness = f"{scene.optic_path}.max_thickness"
@@ -323,13 +329,13 @@ class Shortfall:
             return scene.optic.entrance.height_range is None
         return self.cause == "screen" and (self.needed is None or not scene.receiver.at_distance)
 
-    def cure_in(self, scene: Scene) -> Said:
+    def cure_in(self, scene: Scene) -> Message:
         """What helps in a scene."""
         if self.automatic_in(scene):
             if self.cause == "screen":
                 field = f"{scene.optic_path}.max_thickness"
-                return Said("set {field} to a larger thickness", field=field)
-            return Said("set {field} to a wider range", field=self._field(scene))
+                return Message("set {field} to a larger thickness", field=field)
+            return Message("set {field} to a wider range", field=self._field(scene))
         return _CURES[self.cause]
 
 
@@ -359,8 +365,8 @@ def _times(interval: Interval, factor: float) -> Interval:
     return interval[0] * factor, interval[1] * factor
 
 
-def _offsets(interval: Interval) -> Said:
+def _offsets(interval: Interval) -> Message:
     low, high = interval
     if abs(low + high) <= 0.005 * (high - low):
-        return Said("±{high:.3g}", high=high)
-    return Said("{low:.3g} to {high:.3g}", low=low, high=high)
+        return Message("±{high:.3g}", high=high)
+    return Message("{low:.3g} to {high:.3g}", low=low, high=high)

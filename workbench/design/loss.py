@@ -7,8 +7,8 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
+from workbench.messages import Message
 from workbench.optics.account import LOSSES, Account
-from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
 # Losses of a smaller part of the light are not named.
@@ -59,13 +59,13 @@ def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
     parts = {LOSSES[name]: flux / account.emitted for name, flux in account.lost.items()}
     most = max(parts, key=lambda loss: parts[loss])
     named = {
-        f"loss_{number}": Said("{part:.1%} {where}", part=part, where=Said(loss.where))
+        f"loss_{number}": Message("{part:.1%} {where}", part=part, where=Message(loss.where))
         for number, (loss, part) in enumerate(parts.items())
         if part > _NAMED
     }
-    went = Said(", ".join(f"{{{name}}}" for name in named), **named)
+    went = Message(", ".join(f"{{{name}}}" for name in named), **named)
     raise RunFailed(
-        Said(
+        Message(
             "no light reaches the {receiver}: of the emitted light {went}; {cure}",
             receiver=scene.receiver.called,
             went=went,
@@ -82,7 +82,7 @@ def check_finite(loss: Tensor, account: Account) -> None:
     if not torch.isfinite(loss):
         part = account.efficiency
         raise RunFailed(
-            Said(
+            Message(
                 "the loss is {loss} although {part:.0%} of the light is on the screen",
                 loss=loss.item(),
                 part=part,
@@ -98,7 +98,7 @@ def check_gradient(gradient: Tensor) -> None:
     bad = int((~torch.isfinite(gradient)).sum())
     if bad:
         raise RunFailed(
-            Said(
+            Message(
                 "the gradient of the loss is not finite for {bad} of {count} parameters",
                 bad=bad,
                 count=gradient.numel(),

@@ -16,12 +16,12 @@ from workbench.design.transport import both_faces, start
 from workbench.errors import Refused
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.geometry.surface import ControlNet, freeform_nets, nets_of
+from workbench.messages import Message
 from workbench.optics.path import Path
 from workbench.optics.plan import precision_of
 from workbench.optics.samples import Corners
 from workbench.optics.train.compiled import CompiledTrain
 from workbench.process import as_bytes, available_memory
-from workbench.said import Said
 from workbench.scene import Scene
 
 # Compiled kernels, and libraries that a run is the first to need.
@@ -68,7 +68,7 @@ def memory_notes(scene: Scene) -> tuple[str, ...]:
     needed = auto_memory(scene) if scene.run.device == "cpu" else 0
     if needed < _LARGE:
         return ()
-    return (Said("memory: about {needed}", needed=as_bytes(needed)),)
+    return (Message("memory: about {needed}", needed=as_bytes(needed)),)
 
 
 def check_auto(scene: Scene) -> None:
@@ -84,7 +84,7 @@ def check_auto(scene: Scene) -> None:
     (n_x, n_y), (n_u, n_v) = scene.receiver.pixels, scene.optic.net_shape
     raise Refused(
         "images[0].receiver.pixels",
-        Said(
+        Message(
             "{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, "
             "and {available} are free; take fewer of both, or close other programs",
             n_x=n_x,

@@ -28,8 +28,8 @@ from workbench.design.parametrisation import check_memory
 from workbench.design.smoothness import Smoothness
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, nets_of
+from workbench.messages import Message
 from workbench.optics.plan import Plan, device_of
-from workbench.said import Said
 from workbench.scene import Run, Scene
 
 
@@ -235,13 +235,13 @@ def check_paper(scene: Scene) -> None:
     if not scene.filter.smooth:
         raise Refused(
             "filter.kind",
-            Said(
+            Message(
                 "'box' is constant within a pixel and gives the paper's method no gradient; "
                 "'gaussian'"
             ),
         )
-    scene.check_one_image(Said("the paper's method"))
-    scene.check_no_diffuser(Said("the paper's method"))
+    scene.check_one_image(Message("the paper's method"))
+    scene.check_no_diffuser(Message("the paper's method"))
     check_memory(scene)
 
 

@@ -7,8 +7,8 @@ import math
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, nets_of
+from workbench.messages import Message
 from workbench.process import as_bytes, available_memory
-from workbench.said import Said
 from workbench.scene import Scene
 
 # A parameter, its gradient and Adam's two moments.
@@ -59,7 +59,7 @@ def check_memory(scene: Scene) -> None:
     if needed > available:
         raise Refused(
             "run.parametrisation",
-            Said(
+            Message(
                 "'{name}' has {count:,} parameters here and needs {needed} for them, their "
                 "gradient and Adam's moments; {available} are free",
                 name=scene.run.parametrisation,

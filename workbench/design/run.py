@@ -22,10 +22,10 @@ from workbench.design.snapshot import DONE, LOCKED, Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import AutoNet, Scene
 
-_FULL_CARD = Said(
+_FULL_CARD = Message(
     "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
 )
 
@@ -109,7 +109,7 @@ def run(
             yield snapshot
             iteration += 1
         else:
-            ended = Said(LOCKED if done else DONE)
+            ended = Message(LOCKED if done else DONE)
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene, scenes[stage + 1])
     del steps  # and its images, before others are made
@@ -146,14 +146,16 @@ def _stopped(
     why = error.args[0] if isinstance(error, RunFailed) else _FULL_CARD
     short = bounds.shortfall(bounds.begin)
     if short is not None:
-        why = Said("{why}. {limit}", why=why, limit=short.in_full(scene))
-    return RunFailed(Said("stopped at iteration {iteration}: {why}", iteration=iteration, why=why))
+        why = Message("{why}. {limit}", why=why, limit=short.in_full(scene))
+    return RunFailed(
+        Message("stopped at iteration {iteration}: {why}", iteration=iteration, why=why)
+    )
 
 
 def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
     """The net of the finished lens, where the program has chosen it, and what may surprise."""
     n_u, n_v = scene.optic.net_shape
-    net = Said("control points: {n_u} × {n_v}, chosen for this task", n_u=n_u, n_v=n_v)
+    net = Message("control points: {n_u} × {n_v}, chosen for this task", n_u=n_u, n_v=n_v)
     chosen = isinstance(scene.optic.control_points, AutoNet)
     surprises = grazed(scene), reversed_on_lit_side(scene, target)
     return tuple(filter(None, (net if chosen else None, *surprises)))

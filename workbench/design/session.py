@@ -16,7 +16,7 @@ from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, nets_of
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Scene, Unit
 from workbench.scene.faces import heights_file
 
@@ -119,7 +119,7 @@ class KeptRun:
         if not 1 <= len(self.name) <= LONGEST_NAME:
             raise Refused(
                 "name",
-                Said(
+                Message(
                     "it has {count} characters; 1 to {most} are needed",
                     count=len(self.name),
                     most=LONGEST_NAME,
@@ -305,10 +305,10 @@ def result_of(session: Session, name: str = "session") -> Result:
     if session.result is not None:
         return session.result
     if session.start is None:
-        raise Refused(name, Said("holds no lens yet; freeform design finds one"))
+        raise Refused(name, Message("holds no lens yet; freeform design finds one"))
     raise Refused(
         name,
-        Said(
+        Message(
             "its lens was designed for another task, which was edited "
             "afterwards; freeform design goes on from it"
         ),

@@ -12,8 +12,8 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
+from workbench.messages import Message
 from workbench.progress import Interrupted
-from workbench.said import Said
 
 DONE = "all iterations are done"
 LOCKED = "all control points are locked"
@@ -37,7 +37,7 @@ ENDINGS = (DONE, LOCKED, STOPPED, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
 
 def has_converged(ended: str) -> bool:
     """Whether a run ended because nothing got better."""
-    if not isinstance(ended, Said):
+    if not isinstance(ended, Message):
         return False
     return ended.words in CONVERGED or has_converged(ended.values.get("ended", ""))
 
@@ -160,15 +160,15 @@ class History:
         except StopIteration as end:
             self._ended = end.value
             if self._losses and self._best is not None and self._best.iteration == 0:
-                self._ended = Said(IN_VAIN, ended=self._ended)
+                self._ended = Message(IN_VAIN, ended=self._ended)
         except Interrupted:
-            self._ended = Said(STOPPED)
+            self._ended = Message(STOPPED)
         except (GeneratorExit, KeyboardInterrupt):
-            self._ended = Said(STOPPED)
+            self._ended = Message(STOPPED)
             raise
         except Exception as error:
             why = error.args[0] if isinstance(error, RunFailed) else str(error)
-            self._ended = Said(FAILED, why=why)
+            self._ended = Message(FAILED, why=why)
             raise
         finally:
             run.close()

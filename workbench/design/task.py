@@ -11,8 +11,8 @@ import numpy as np
 from workbench.design.session import KeptRun, Session, task_of
 from workbench.errors import Refused, refused_within
 from workbench.measured.lamps import check_file
+from workbench.messages import Message
 from workbench.reading import opened
-from workbench.said import Said
 from workbench.scene import DrawnTarget, Scene
 from workbench.scene.stages import refused_in_stage
 from workbench.scene.viewing import drawing
@@ -169,10 +169,10 @@ def _with_drawn(session: Session, task: Session) -> Session:
 
 
 _MOST = 3  # differences between two tasks that are named
-_ABSENT = Said("absent")
+_ABSENT = Message("absent")
 
 
-def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name")) -> Said:
+def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name")) -> Message:
     """What the lens of a session was designed for, to be read after "the lens, ".
 
     The lens is looked for among the kept runs. Run settings are no part of a task: they say how to
@@ -183,22 +183,22 @@ def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name
     """
     heights = session.heights
     if heights is None:
-        return Said("not designed yet")
+        return Message("not designed yet")
     found = [run for run in session.runs if run.result.state.heights == heights]
     if any(_is_of(session, run) for run in found):
-        return Said("designed for this task")
+        return Message("designed for this task")
     if found:
         differ = _differences(found[-1], session)
         some = {f"field_{number}": said for number, said in enumerate(differ[:_MOST])}
         more = ", …" if len(differ) > _MOST else ""
-        return Said(
+        return Message(
             "designed for another task ({run}): {differences}",
             run=called(found[-1]),
-            differences=Said(", ".join(f"{{{name}}}" for name in some) + more, **some),
+            differences=Message(", ".join(f"{{{name}}}" for name in some) + more, **some),
         )
     if session.result is not None and session.result.iterations:
-        return Said("designed for this task")
-    return Said("not designed for this task")
+        return Message("designed for this task")
+    return Message("not designed for this task")
 
 
 def _is_of(session: Session, run: KeptRun) -> bool:
@@ -206,14 +206,14 @@ def _is_of(session: Session, run: KeptRun) -> bool:
     return same_target and task_of(run.scene) == task_of(session.scene)
 
 
-def _differences(run: KeptRun, session: Session) -> list[Said]:
+def _differences(run: KeptRun, session: Session) -> list[Message]:
     """Fields of the run's task whose values are others now."""
     then, now = (
         {path: value for path, value in _fields(each.scene.to_data(), "") if path[:4] != "run."}
         for each in (run, session)
     )
     changed = [
-        Said(
+        Message(
             "{path} {then}, now {now}",
             path=path,
             then=then.get(path, _ABSENT),
@@ -222,7 +222,7 @@ def _differences(run: KeptRun, session: Session) -> list[Said]:
         for path in (*then, *(now.keys() - then.keys()))
         if then.get(path) != now.get(path)
     ]
-    return changed or [Said("another target image")]
+    return changed or [Message("another target image")]
 
 
 def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:

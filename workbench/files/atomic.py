@@ -13,7 +13,7 @@ from typing import BinaryIO
 from filelock import FileLock, Timeout
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 try:
     import fcntl
@@ -63,10 +63,10 @@ def _refusing(path: Path) -> Iterator[None]:
     try:
         yield
     except FileNotFoundError as error:
-        raise Refused(str(path), Said("cannot be written: its folder does not exist")) from error
+        raise Refused(str(path), Message("cannot be written: its folder does not exist")) from error
     except OSError as error:
         raise Refused(
-            str(path), Said("cannot be written: {problem}", problem=error.strerror or error)
+            str(path), Message("cannot be written: {problem}", problem=error.strerror or error)
         ) from error
 
 

@@ -16,7 +16,7 @@ from workbench.files.entries import Entries
 from workbench.files.figures import AccountFigures, Figures
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import DrawnTarget, PlacedFace, Scene
 
 _LOSS = "loss.npy"
@@ -180,7 +180,7 @@ def _read_target(entries: Entries, name: str, scene: Scene) -> Array:
     target = entries.array(name, (n_y, n_x))
     if target.min() < 0 or not target.any():
         raise Refused(
-            entries.where(name), Said("is dark or has negative values; some light is needed")
+            entries.where(name), Message("is dark or has negative values; some light is needed")
         )
     peak = float(target.max())
     return target if _TINY < peak < _HUGE else frozen(target / peak)
@@ -222,7 +222,7 @@ def _read_face(
         i, j = np.unravel_index(away.argmax(), away.shape)
         raise Refused(
             f"{entries.where(name)}[{i}, {j}]",
-            Said(
+            Message(
                 "{height:.5g} is no height of this {optic}; at most {farthest:g} "
                 "{unit} from {front} are possible",
                 height=heights[i, j],
@@ -245,7 +245,7 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountF
         row, column = np.unravel_index(brightness.argmax(), irradiance.shape)
         raise Refused(
             f"{entries.where(name)}[{row}, {column}]",
-            Said(
+            Message(
                 "{value:.5g} is more than all light of the source in this pixel; "
                 "{most:.5g} would be all of it",
                 value=irradiance[row, column],
@@ -262,7 +262,7 @@ def _read_further(
     if len(given) != len(others):
         raise Refused(
             entries.where("session.json"),
-            Said(
+            Message(
                 "has figures of {given} further images; the scene has {others}",
                 given=len(given),
                 others=len(others),
@@ -287,7 +287,7 @@ def read_result(
     if list(starts) != sorted(starts) or not all(0 <= at <= figures.iterations for at in starts):
         raise Refused(
             entries.where(folder + _LOSS),
-            Said(
+            Message(
                 "has {count} losses; stages cannot have begun after {starts}",
                 count=figures.iterations,
                 starts=shown(starts),

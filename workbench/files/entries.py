@@ -15,7 +15,7 @@ import numpy as np
 
 from workbench.arrays import Array, Mask
 from workbench.errors import Refused, shown
-from workbench.said import Said
+from workbench.messages import Message
 
 _LONGEST_HEADER = 1024
 _HEADER_READERS = {
@@ -44,7 +44,7 @@ def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
     array = np.frombuffer(values, dtype=np.float64).reshape(shape)
     if not np.isfinite(array).all():
         raise Refused(
-            where, Said("holds a value that is NaN or infinite; finite values are needed")
+            where, Message("holds a value that is NaN or infinite; finite values are needed")
         )
     return array
 
@@ -53,7 +53,9 @@ def read_mask(content: bytes, shape: tuple[int, ...], where: str) -> Mask:
     """Return an array of bool, as `read_array`."""
     values = np.frombuffer(_values(content, shape, np.dtype("?"), where), dtype=np.uint8)
     if (values > 1).any():
-        raise Refused(where, Said("holds a value that is neither 0 nor 1; false or true is needed"))
+        raise Refused(
+            where, Message("holds a value that is neither 0 nor 1; false or true is needed")
+        )
     return values.view(np.bool_).reshape(shape)
 
 
@@ -61,19 +63,19 @@ def _values(content: bytes, shape: tuple[int, ...], kind: np.dtype[Any], where: 
     file = io.BytesIO(content)
     found, fortran, dtype = _read_header(file, where)
     if dtype != kind:
-        raise Refused(where, Said("holds {dtype}; {kind} is needed", dtype=dtype, kind=kind))
+        raise Refused(where, Message("holds {dtype}; {kind} is needed", dtype=dtype, kind=kind))
     if found != shape:
         raise Refused(
-            where, Said("has shape {found}; the scene needs {shape}", found=found, shape=shape)
+            where, Message("has shape {found}; the scene needs {shape}", found=found, shape=shape)
         )
     if fortran:
-        raise Refused(where, Said("is in Fortran order; C order is needed"))
+        raise Refused(where, Message("is in Fortran order; C order is needed"))
     values = file.read()
     size = kind.itemsize * math.prod(shape)
     if len(values) != size:
         raise Refused(
             where,
-            Said(
+            Message(
                 "has {given} bytes of values; shape {shape} needs {size}",
                 given=len(values),
                 shape=shape,
@@ -90,7 +92,7 @@ def _read_header(file: IO[bytes], where: str) -> tuple[tuple[int, ...], bool, np
             read = _HEADER_READERS[version]
             return read(file, max_header_size=_LONGEST_HEADER)
     except Exception as error:  # parsing a Python literal may raise anything
-        raise Refused(where, Said("is no .npy array: its header cannot be read")) from error
+        raise Refused(where, Message("is no .npy array: its header cannot be read")) from error
 
 
 # What zipfile raises on damaged archives, besides OSError.
@@ -126,32 +128,32 @@ class Entries:
         """Refuse a zip with other entries, duplicates, or entries beyond its size."""
         for name in self._archive.namelist():
             if name not in needed:
-                raise Refused(self.where(shown(name)), Said("does not belong into this session"))
+                raise Refused(self.where(shown(name)), Message("does not belong into this session"))
         if len(self._archive.namelist()) > len(self._names):
-            raise Refused(str(self._path), Said("holds an entry twice; each must be there once"))
+            raise Refused(str(self._path), Message("holds an entry twice; each must be there once"))
         entries = self._archive.infolist()
         for info in entries:
             if info.header_offset + info.compress_size > self._size:
-                raise Refused(self.where(info.filename), Said("is cut off"))
+                raise Refused(self.where(info.filename), Message("is cut off"))
         if sum(info.compress_size for info in entries) > self._size:
             raise Refused(
-                str(self._path), Said("holds entries that overlap; each has bytes of its own")
+                str(self._path), Message("holds entries that overlap; each has bytes of its own")
             )
 
     def content(self, name: str, largest: int) -> bytes:
         """Return the bytes of an entry, at most ``largest``."""
         where = self.where(name)
         if name not in self:
-            raise Refused(where, Said("is missing; a session holds it"))
+            raise Refused(where, Message("is missing; a session holds it"))
         info = self._archive.getinfo(name)
         if info.compress_type != zipfile.ZIP_STORED or info.compress_size != info.file_size:
             raise Refused(
-                where, Said("is compressed or encrypted; sessions store entries as they are")
+                where, Message("is compressed or encrypted; sessions store entries as they are")
             )
         if info.file_size > largest:
             raise Refused(
                 where,
-                Said(
+                Message(
                     "has {size} bytes; at most {largest} are possible",
                     size=info.file_size,
                     largest=largest,
@@ -176,5 +178,5 @@ class Entries:
             # Some messages quote the content of the file.
             detail = shorten(str(error) or "it ends too soon", 100, placeholder=" ...")
             raise Refused(
-                str(self._path), Said("is a damaged or incomplete zip: {detail}", detail=detail)
+                str(self._path), Message("is a damaged or incomplete zip: {detail}", detail=detail)
             ) from error

@@ -9,8 +9,8 @@ from workbench.design.lens_state import FurtherLight
 from workbench.design.limits import Cause, Interval, Shortfall
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import ENDINGS, Result
+from workbench.messages import Message
 from workbench.optics.account import LOSSES, Account
-from workbench.said import Said
 from workbench.scene import NonNegative, Part, Positive
 
 _MOST_FLUX = 1e30  # in any unit; sums and ratios stay finite
@@ -104,16 +104,16 @@ class FurtherFigures(Part):
         )
 
 
-class Message(Part):
+class SavedMessage(Part):
     """A message of the program with its values, which the window can translate."""
 
     words: Annotated[str, Field(max_length=LONGEST_REASON)]
-    values: dict[str, "int | float | Message"]
+    values: dict[str, "int | float | SavedMessage"]
 
     @classmethod
     def of(cls, text: str) -> Self | None:
         """The message of an ending of a run, if it is one of `ENDINGS`."""
-        if not isinstance(text, Said) or text.words not in ENDINGS:
+        if not isinstance(text, Message) or text.words not in ENDINGS:
             return None
         values = {name: cls.of(value) or value for name, value in text.values.items()}
         return cls(words=text.words, values=values)
@@ -121,11 +121,11 @@ class Message(Part):
     def to_text(self) -> str:
         """The text with its words and values; empty where values are missing or unsuitable."""
         values = {
-            name: value.to_text() if isinstance(value, Message) else value
+            name: value.to_text() if isinstance(value, SavedMessage) else value
             for name, value in self.values.items()
         }
         try:
-            return Said(self.words, **values) if self.words in ENDINGS else ""
+            return Message(self.words, **values) if self.words in ENDINGS else ""
         except (KeyError, OverflowError, ValueError):
             return ""
 
@@ -141,7 +141,7 @@ class Figures(Part):
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # reason
-    ending: Message | None = None  # the reason with its values
+    ending: SavedMessage | None = None  # the reason with its values
     shortfall: ShortfallFigures | None = None
     further_images: tuple[FurtherFigures, ...] | None = None
 
@@ -159,7 +159,7 @@ class Figures(Part):
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,
-            ending=Message.of(result.ended),
+            ending=SavedMessage.of(result.ended),
             shortfall=None if short is None else ShortfallFigures.of(short),
             further_images=tuple(map(FurtherFigures.of, state.further)) or None,
         )

@@ -10,8 +10,8 @@ from workbench.design.session import LONGEST_NAME
 from workbench.errors import Refused
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.scene import check_fields_once
+from workbench.messages import Message
 from workbench.refusals import refusal
-from workbench.said import Said
 from workbench.scene import AutoNet, Part, Scene
 from workbench.scene.faces import NetShape
 
@@ -64,7 +64,7 @@ def read_header(text: bytes, where: str) -> Header:
         if kind.version > VERSION:
             raise Refused(
                 f"{where}: version",
-                Said(
+                Message(
                     "{version} is of a newer Freeform Lens Workbench, at most {most} "
                     "can be read here; update the program",
                     version=kind.version,
@@ -80,7 +80,7 @@ def read_header(text: bytes, where: str) -> Header:
     if len(runs) > MOST_RUNS:
         raise Refused(
             f"{where}: runs",
-            Said("{count} are given; at most {most} are kept", count=len(runs), most=MOST_RUNS),
+            Message("{count} are given; at most {most} are kept", count=len(runs), most=MOST_RUNS),
         )
     plain_view(header.view, f"{where}: view")
     return header
@@ -107,15 +107,17 @@ def plain_view(view: Mapping[str, Any] | None, where: str) -> dict[str, Any] | N
         text = json.dumps(view, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
         size = len(text.encode())
     except (TypeError, ValueError, RecursionError) as error:
-        raise Refused(where, Said("cannot be kept as JSON: {error}", error=error)) from None
+        raise Refused(where, Message("cannot be kept as JSON: {error}", error=error)) from None
     if size > LARGEST_VIEW:
         raise Refused(
-            where, Said("takes {size} bytes; at most {most} are kept", size=size, most=LARGEST_VIEW)
+            where,
+            Message("takes {size} bytes; at most {most} are kept", size=size, most=LARGEST_VIEW),
         )
     plain: dict[str, Any] | None = json.loads(text)
     if _depth(plain) > _DEEPEST_VIEW:
         raise Refused(
-            where, Said("is nested too deeply; at most {most} levels are kept", most=_DEEPEST_VIEW)
+            where,
+            Message("is nested too deeply; at most {most} levels are kept", most=_DEEPEST_VIEW),
         )
     return plain
 

@@ -8,9 +8,9 @@ from typing import Any
 
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
+from workbench.messages import Message
 from workbench.reading import opened
 from workbench.refusals import field_name
-from workbench.said import Said
 from workbench.scene import Scene
 
 LARGEST_TEXT = 1 << 20
@@ -23,12 +23,14 @@ def read_scene(path: Path) -> Scene:
         content = file.read(LARGEST_TEXT + 1)
     if len(content) > LARGEST_TEXT:
         raise Refused(
-            str(path), Said("is no scene: it has more than {most} bytes", most=LARGEST_TEXT)
+            str(path), Message("is no scene: it has more than {most} bytes", most=LARGEST_TEXT)
         )
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise Refused(str(path), Said("is neither a session nor a scene in UTF-8 text")) from error
+        raise Refused(
+            str(path), Message("is neither a session nor a scene in UTF-8 text")
+        ) from error
     try:
         scene = Scene.from_json(text)
         check_fields_once(text)
@@ -77,7 +79,7 @@ def _portable(field: str, file: Path, folder: Path) -> str:
         name.encode()
     except UnicodeEncodeError as error:
         raise Refused(
-            field, Said("{name!r} is no text and cannot be kept in one", name=name)
+            field, Message("{name!r} is no text and cannot be kept in one", name=name)
         ) from error
     return name
 
@@ -93,7 +95,7 @@ def check_fields_once(text: str | bytes, before: str = "") -> None:
         text, object_pairs_hook=_Fields, parse_int=str, parse_float=str, parse_constant=str
     )
     for path in _twice(read, ""):
-        raise Refused(before + path, Said("is given twice; each field can be there once"))
+        raise Refused(before + path, Message("is given twice; each field can be there once"))
 
 
 def _twice(value: object, path: str) -> Iterator[str]:

@@ -43,8 +43,8 @@ from workbench.files.header import (
 from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_files, with_portable_files
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import nets_of
+from workbench.messages import Message
 from workbench.reading import digest, opened
-from workbench.said import Said
 from workbench.scene import Scene
 
 HEADER = "session.json"
@@ -86,7 +86,7 @@ def write_session(session: Session, path: Path) -> str:
     if len(text) > LARGEST_TEXT:
         raise Refused(
             str(path),
-            Said(
+            Message(
                 "its text would have {size} bytes; at most {most} can be read",
                 size=len(text),
                 most=LARGEST_TEXT,
@@ -123,7 +123,7 @@ def read_session(path: Path) -> Session:
     is not as `write_session` writes it.
     """
     if not is_session(path):
-        raise Refused(str(path), Said("is no session: it does not begin like a zip"))
+        raise Refused(str(path), Message("is no session: it does not begin like a zip"))
     with opened(path) as file:
         entries = Entries(path, file)
         where = entries.where(HEADER)
@@ -197,7 +197,7 @@ def _header(session: Session, path: Path) -> Header:
     if len(session.runs) > MOST_RUNS:
         raise Refused(
             str(path),
-            Said(
+            Message(
                 "would hold {count} kept runs; at most {most}",
                 count=len(session.runs),
                 most=MOST_RUNS,

@@ -29,8 +29,8 @@ from workbench.geometry.basis import local_basis, sparse_basis
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
+from workbench.messages import Message
 from workbench.progress import Steps, check_given_up
-from workbench.said import Said
 
 # Pairs are checked up to this many grid steps apart, then on a grid of twice the step: positions of
 # a pair are exact to a sixth of their distance or better.
@@ -204,7 +204,7 @@ class CutFace:
         if math.prod(counts) > most:
             raise Refused(
                 "scallop",
-                Said(
+                Message(
                     "{scallop:.2g} takes {moves:,} moves of this cutter, more than "
                     "{most:,}; a larger one",
                     scallop=scallop,

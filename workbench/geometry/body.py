@@ -12,7 +12,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import AnyReceiver, Scene
 
 # Relative distance of faces that touch: meshes and solids cannot separate them.
@@ -70,22 +70,24 @@ def _check_element(
             i, j = np.unravel_index(clearance.argmin(), clearance.shape)
             raise Refused(
                 optic.called,
-                Said(
+                Message(
                     "its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} "
                     "at z = {end:g}: that is no {body}",
-                    face=Said(optic.face_called),
+                    face=Message(optic.face_called),
                     z=height[i, j],
                     unit=scene.unit,
                     x=x[i],
                     y=y[j],
                     limit=limit,
                     end=end[i, j],
-                    body=Said(optic.body_called),
+                    body=Message(optic.body_called),
                 ),
             )
 
 
-def _free_range(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
+def _free_range(
+    scene: Scene, receivers: Sequence[AnyReceiver]
+) -> tuple[float, float, Message, Message]:
     behind = [each.nearest_to(scene.optic) for each in scene.behind[:1]]
     first = scene.images[0]
     images = (first.model_copy(update={"receiver": receiver}) for receiver in receivers)
@@ -94,7 +96,7 @@ def _free_range(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, 
     ends = [receiver.nearest_to(optic) for receiver in scene.receivers] + behind
     if optic.onwards > 0:
         place = optic.entrance_range[0] - optic.entrance_offsets[0]
-        above = Said("above {front}", front=optic.front_called)
-        return place, min(ends), above, Said("before the screen")
+        above = Message("above {front}", front=optic.front_called)
+        return place, min(ends), above, Message("before the screen")
     low = max(*ends, scene.source.nearest_z)
-    return low, math.inf, Said("above the screen and the source"), Said("below all")
+    return low, math.inf, Message("above the screen and the source"), Message("below all")

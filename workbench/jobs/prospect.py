@@ -15,8 +15,8 @@ from workbench.extended.bound import Bound, percent
 from workbench.jobs.estimate import Estimate, estimating
 from workbench.jobs.job import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes
+from workbench.messages import Message
 from workbench.powers import written
-from workbench.said import Said
 from workbench.scene import Scene
 from workbench.units import sized
 
@@ -56,7 +56,7 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     light = _light_of(scene)
     known = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene, light)
     pending = Figure(
-        Said("Estimate"), Said("estimating…"), Said("From a coarse design of this task.")
+        Message("Estimate"), Message("estimating…"), Message("From a coarse design of this task.")
     )
     yield Prospect(None, (pending, *known, _proposal(session)))
     estimated = _estimated(scene, (yield from estimating(session)))
@@ -75,21 +75,21 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
 
 
 def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
-    name = Said("Estimate")
+    name = Message("Estimate")
     if estimate is None:
         why = (
-            Said("No flux arrives in a coarse design of this task.")
+            Message("No flux arrives in a coarse design of this task.")
             if scene.run.method == "auto"
-            else Said("Only designs by the automatic method are estimated.")
+            else Message("Only designs by the automatic method are estimated.")
         )
-        return Figure(name, Said("not known"), why, scene.run.method == "auto")
-    value = Said(
+        return Figure(name, Message("not known"), why, scene.run.method == "auto")
+    value = Message(
         "error {error}, {light:.0f} % of the light {place}",
         error=_range(estimate),
         light=100 * estimate.light,
-        place=Said(scene.receiver.place),
+        place=Message(scene.receiver.place),
     )
-    meaning = Said("From a coarse design of this task, with losses and source size.")
+    meaning = Message("From a coarse design of this task, with losses and source size.")
     return Figure(name, value, meaning, estimate.most > 10 * _BLACK)
 
 
@@ -121,9 +121,9 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
     spread = diffraction(scene)
     if max(x, y) == 0:
         blur = Figure(
-            Said("Finest detail"),
-            Said("none"),
-            Said("The source has no size."),
+            Message("Finest detail"),
+            Message("none"),
+            Message("The source has no size."),
         )
     else:
         same = abs(x - y) < 0.01 * max(x, y)
@@ -133,15 +133,19 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
             else sized(f"{written(x, digits=3)} × {written(y, digits=3)}", unit)
         )
         across, up = np.multiply(2, scene.receiver.half_extent) / max(x, y)
-        parts = Said("{across:.0f} × {up:.0f} dots in the image.", across=across, up=up)
-        blur = Figure(Said("Finest detail"), value, parts, 10 * max(x, y) > wide)
-    law = Said("√(λ · distance)") if scene.receiver.at_distance else Said("λ / width of the lens")
+        parts = Message("{across:.0f} × {up:.0f} dots in the image.", across=across, up=up)
+        blur = Figure(Message("Finest detail"), value, parts, 10 * max(x, y) > wide)
+    law = (
+        Message("√(λ · distance)")
+        if scene.receiver.at_distance
+        else Message("λ / width of the lens")
+    )
     return (
         blur,
         Figure(
-            Said("Diffraction"),
+            Message("Diffraction"),
             written(spread, unit, 2),
-            Said("{law}: limit of sharpness, which ray tracing does not include.", law=law),
+            Message("{law}: limit of sharpness, which ray tracing does not include.", law=law),
             20 * spread > wide,
         ),
     )
@@ -149,15 +153,15 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
 
 def _steepness(scene: Scene, slopes: Slopes) -> Figure:
     optic = scene.optic
-    name = Said("Largest slope")
-    value = Said(
+    name = Message("Largest slope")
+    value = Message(
         "{slope:.0f}°, deflection up to {turn:.0f}°", slope=slopes.steepest, turn=slopes.turn
     )
     if not slopes.possible:
         return Figure(
             name,
-            Said("a deflection of {turn:.0f}° would be needed", turn=slopes.turn),
-            Said(
+            Message("a deflection of {turn:.0f}° would be needed", turn=slopes.turn),
+            Message(
                 "The {optic} deflects by {most:.0f}° at most. Use a smaller image, more "
                 "distance or another source position.",
                 optic=optic.called,
@@ -166,9 +170,11 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
             True,
         )
     if slopes.turn > _STEEP * slopes.most:
-        meaning = Said("Near the limit of {most:.0f}° much light is reflected.", most=slopes.most)
+        meaning = Message(
+            "Near the limit of {most:.0f}° much light is reflected.", most=slopes.most
+        )
         return Figure(name, value, meaning, True)
-    return Figure(name, value, Said("Limit of the deflection: {most:.0f}°.", most=slopes.most))
+    return Figure(name, value, Message("Limit of the deflection: {most:.0f}°.", most=slopes.most))
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
@@ -176,8 +182,10 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
     said = grazed(scene)
     if said is None:
         return ()
-    slant = Said("up to {slant:.0f}°", slant=scene.receiver.slant(scene.optic))
-    return (Figure(Said("Light on the screen"), slant, Said("{sentence}.", sentence=said), True),)
+    slant = Message("up to {slant:.0f}°", slant=scene.receiver.slant(scene.optic))
+    return (
+        Figure(Message("Light on the screen"), slant, Message("{sentence}.", sentence=said), True),
+    )
 
 
 class _Light(NamedTuple):
@@ -208,9 +216,9 @@ def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
         return ()
     return (
         Figure(
-            Said("Light on the {optic}", optic=optic.called),
-            Said("{part:.0f} % of it", part=100 * caught),
-            Said(
+            Message("Light on the {optic}", optic=optic.called),
+            Message("{part:.0f} % of it", part=100 * caught),
+            Message(
                 "The rest passes it by: a lamp that is nearer, or a larger {optic}, catches more.",
                 optic=optic.called,
             ),
@@ -222,14 +230,14 @@ def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
 def _light_at_best(bound: Bound, light: _Light) -> Figure:
     """Certified upper bound of the light on the bright part of the picture."""
     etendue = min(bound.on_receiver, bound.on_target) if bound.certified else 1.0
-    meaning = Said("The rest misses the {optic} or is lost at its faces.", optic=_called(bound))
+    meaning = Message("The rest misses the {optic} or is lost at its faces.", optic=_called(bound))
     if etendue <= _ALL:
-        meaning = Said(
+        meaning = Message(
             "No more can land where the picture is bright: the light's own image is larger."
         )
     return Figure(
-        Said("Light at best"),
-        Said("at most {part:.0f} %", part=100 * light.leaves * etendue),
+        Message("Light at best"),
+        Message("at most {part:.0f} %", part=100 * light.leaves * etendue),
         meaning,
         etendue <= _ALL,
     )
@@ -237,21 +245,21 @@ def _light_at_best(bound: Bound, light: _Light) -> Figure:
 
 def _error_at_best(bound: Bound, slopes: Slopes) -> Figure:
     """Lower bound of the error, where it is known."""
-    name, unknown = Said("Error at best"), Said("not known")
+    name, unknown = Message("Error at best"), Message("not known")
     if not slopes.possible:
-        why = Said("The {optic} cannot turn all the light that far.", optic=_called(bound))
+        why = Message("The {optic} cannot turn all the light that far.", optic=_called(bound))
         return Figure(name, unknown, why, True)
     if max(bound.blur.widths) == 0 or bound.blur.within_a_pixel:
-        return Figure(name, unknown, Said("The size of the light sets no bound."))
+        return Figure(name, unknown, Message("The size of the light sets no bound."))
     if not bound.known:
-        return Figure(name, unknown, Said("Rays of a file need not come evenly from one place."))
+        return Figure(name, unknown, Message("Rays of a file need not come evenly from one place."))
     if not bound.one_blur:
-        why = Said("A lamp so near is blurred less by the rim of the lens than by its middle.")
+        why = Message("A lamp so near is blurred less by the rim of the lens than by its middle.")
         return Figure(name, unknown, why)
     least = bound.relative_l2
     if least <= 0:
-        return Figure(name, unknown, Said("The light is small enough for this picture."))
-    why = Said("No lens of this size can be below it; a smaller or farther lamp would help.")
+        return Figure(name, unknown, Message("The light is small enough for this picture."))
+    why = Message("No lens of this size can be below it; a smaller or farther lamp would help.")
     return Figure(name, percent(least), why, least > 10 * _BLACK)
 
 
@@ -264,11 +272,11 @@ def _proposal(session: Session) -> Figure:
     n_u, n_v = optic.net_shape
     n_x, n_y = receiver.pixels
     height = abs(optic.leaving_z - optic.front_z)
-    net = Said(
+    net = Message(
         "{n_u} × {n_v} control points, {n_x} × {n_y} pixels", n_u=n_u, n_v=n_v, n_x=n_x, n_y=n_y
     )
     if height:
-        net = Said(
+        net = Message(
             "{height:.3g} {unit} thick, {net}", height=height, unit=session.scene.unit, net=net
         )
-    return Figure(Said("Proposed"), net, Said("Can be changed later in the window."))
+    return Figure(Message("Proposed"), net, Message("Can be changed later in the window."))

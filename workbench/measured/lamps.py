@@ -14,9 +14,9 @@ from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
 from workbench.measured.rays.rayset import PlacedRays, placed
 from workbench.measured.text import problem_in
+from workbench.messages import Message
 from workbench.powers import written
 from workbench.reading import opened
-from workbench.said import Said
 from workbench.scene import (
     AreaSource,
     Element,
@@ -43,7 +43,8 @@ def rays_of(source: RayFileSource) -> RaySet:
     rays = _read(source, _rays)
     if rays.unit is None and source.file_unit is None:
         raise Refused(
-            "source.file_unit", Said("missing; '{file}' does not name its unit", file=source.file)
+            "source.file_unit",
+            Message("missing; '{file}' does not name its unit", file=source.file),
         )
     return rays
 
@@ -61,7 +62,7 @@ def ray_model(source: RayFileSource, optic: Element, points: int) -> RayModel:
     except ValueError as error:
         raise Refused(
             "source.file",
-            Said(
+            Message(
                 "'{file}' gives the lens no light: {error}",
                 file=source.file,
                 error=problem_in(error),
@@ -106,7 +107,7 @@ def _read(
         return read(source.file, None, _state(source.file))
     except Refused as refused:
         raise Refused(
-            "source.file", Said("'{file}' {reason}", file=refused.path, reason=refused.reason)
+            "source.file", Message("'{file}' {reason}", file=refused.path, reason=refused.reason)
         ) from refused
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from workbench.errors import visible
-from workbench.said import Said
+from workbench.messages import Message
 
 _GAPS = re.compile(r"[\s,;]+")
 _SPACES = re.compile(r"[\s;]+")
@@ -99,11 +99,11 @@ def number(word: str) -> float:
         value = float(_FORTRAN.sub("e", word) if "_" not in word else "")
     except ValueError:
         raise ValueError(
-            Said("{word!r} stands where a number is needed", word=word[:_QUOTED])
+            Message("{word!r} stands where a number is needed", word=word[:_QUOTED])
         ) from None
     if not np.isfinite(value):
         raise ValueError(
-            Said("{word!r} stands where a finite number is needed", word=word[:_QUOTED])
+            Message("{word!r} stands where a finite number is needed", word=word[:_QUOTED])
         )
     return value
 
@@ -113,7 +113,7 @@ def count(word: str, least: int, most: int) -> int:
     value = number(word)
     if value != int(value) or not least <= value <= most:
         raise ValueError(
-            Said(
+            Message(
                 "{word!r} stands where a whole number from {least} to {most} has to",
                 word=word[:_QUOTED],
                 least=least,
@@ -123,7 +123,7 @@ def count(word: str, least: int, most: int) -> int:
     return int(value)
 
 
-def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Said, ...]]:
+def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Message, ...]]:
     """Cut words to the needed number if text follows, with a remark on that text.
 
     Further numbers stay: the file has then another length than its header says.
@@ -135,17 +135,17 @@ def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Said, ...]
     except ValueError:
         text = " ".join(words[needed:])[:_QUOTED]
         return words[:needed], (
-            Said("text behind the last number is ignored: {text!r}", text=text),
+            Message("text behind the last number is ignored: {text!r}", text=text),
         )
     return words, ()
 
 
-def wrong_length(found: int, needed: int) -> Said:
+def wrong_length(found: int, needed: int) -> Message:
     """Text for a file with another number of values than needed."""
-    return Said("it is cut off") if found < needed else Said("it goes on behind its end")
+    return Message("it is cut off") if found < needed else Message("it goes on behind its end")
 
 
 def problem_in(error: ValueError) -> str:
     """Message of a reader's ValueError, for a refusal."""
     problem = error.args[0] if error.args else ""
-    return problem if isinstance(problem, Said) else visible(str(error))
+    return problem if isinstance(problem, Message) else visible(str(error))

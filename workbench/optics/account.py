@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import AnyReceiver, Diffuser, Lens, Mirror, Scene
 from workbench.scene.losses import Loss
 
@@ -129,7 +129,7 @@ class Account:
         lost = {name: self.lost[name] for name in losses_in(scene) if name in self.lost}
         return {"on_screen": self.on_screen, **lost}
 
-    def advice(self, scene: Scene) -> Said | None:
+    def advice(self, scene: Scene) -> Message | None:
         """Where most light goes before the receiver, and what would help, in a sentence.
 
         None if at least half of the light comes there: what is beside it is for a run to bring
@@ -138,12 +138,12 @@ class Account:
         if self.arrived >= 0.5 * self.emitted:
             return None
         most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
-        return Said(
+        return Message(
             "Only {part:.1f} % of the light lands {place}; {lost:.0f} % {where}: {cure}.",
             part=100 * self.efficiency,
-            place=Said(scene.receiver.place),
+            place=Message(scene.receiver.place),
             lost=100 * self.lost[most] / self.emitted,
-            where=Said(LOSSES[most].where),
+            where=Message(LOSSES[most].where),
             cure=LOSSES[most].cure_in(scene),
         )
 

@@ -8,6 +8,7 @@ import torch
 from torch import Tensor
 
 from workbench.geometry.surface import ControlNet
+from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.optics.images.beams import beam_image, box_image
 from workbench.optics.images.rim import rim_light, split_light
@@ -15,7 +16,6 @@ from workbench.optics.images.source_beams import Spots, between_origins, light_a
 from workbench.optics.light import BeamTracer, Light, sum_of_lines
 from workbench.optics.plan import TracedLine, notes_of_lines, traced_lines
 from workbench.optics.samples import Corners
-from workbench.said import Said
 from workbench.scene import Scene
 
 _NEARLY_ALL = 0.999
@@ -69,15 +69,15 @@ class BeamPlan:
         notes = choice.notes(tracer.notes) + notes_of_lines(len(self._lines))
         rays = math.prod(len(split) for split in tracer.splits)
         notes.append(
-            Said("beams of light between {rays} rays: no noise, and no filter", rays=f"{rays:,}")
+            Message("beams of light between {rays} rays: no noise, and no filter", rays=f"{rays:,}")
         )
         if self._of_source:
             notes.append(
-                Said("beams run between points of the source, through each sample of the lens")
+                Message("beams run between points of the source, through each sample of the lens")
             )
         if self._back:
             notes.append(
-                Said(
+                Message(
                     "shading by the {receiver} and by the mirror itself is ignored",
                     receiver=self._called,
                 )

@@ -10,10 +10,10 @@ import torch
 from workbench.arrays import Array, Mask
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
+from workbench.messages import Message
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
 from workbench.powers import written
-from workbench.said import Said
 from workbench.scene import Element, Scene
 
 
@@ -91,14 +91,14 @@ class TotalReflection:
             float(np.average(y[here], weights=self.flux[here])),
         )
 
-    def sentence(self, scene: Scene) -> Said:
+    def sentence(self, scene: Scene) -> Message:
         """How much it is, and where there is most of it."""
         x, y = self.middle
-        return Said(
+        return Message(
             "{part} % of the light is totally reflected at the {face}, most of it around "
             "x = {x}, y = {y}",
             part=written(100 * self.share, digits=2),
-            face=Said(scene.optic.face_called),
+            face=Message(scene.optic.face_called),
             x=written(x, scene.unit, 3),
             y=written(y, scene.unit, 3),
         )

@@ -17,13 +17,13 @@ from workbench.arrays import Array
 from workbench.compiled import unkept
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.messages import Message
 from workbench.optics import ready
 from workbench.optics.light import Light, sum_of_lines
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Samples
 from workbench.optics.train.compiled import CompiledTrain
-from workbench.said import Said
 from workbench.scene import Element, Filter, Scene
 
 # In pixels: the image is good to 1e-3 of its light up to here, the gradient to a few per cent.
@@ -122,26 +122,26 @@ class Choice(NamedTuple):
         if self.compiled:
             threads = torch.get_num_threads()
             if threads > 1:
-                chosen = Said(
+                chosen = Message(
                     "fused kernels, {threads} threads, {precision}",
                     threads=threads,
                     precision=precision,
                 )
             else:
-                chosen = Said("fused kernels, 1 thread, {precision}", precision=precision)
+                chosen = Message("fused kernels, 1 thread, {precision}", precision=precision)
         else:
             device = torch.device(self.path.device).type
-            chosen = Said(
+            chosen = Message(
                 "reference in torch on {device}, {precision}", device=device, precision=precision
             )
         notes = [chosen, *of_tracer]
         if self.kernel is None:
             faces = ", ".join(step.surface.kind for step in self.path.steps)
             notes.append(
-                Said("no kernel for this path ({faces}): by the reference alone", faces=faces)
+                Message("no kernel for this path ({faces}): by the reference alone", faces=faces)
             )
         if self.fine:
-            notes.append(Said("float64: float32 has too few digits for this scene"))
+            notes.append(Message("float64: float32 has too few digits for this scene"))
         return notes
 
     def defects(self) -> list[str]:
@@ -152,14 +152,14 @@ class Choice(NamedTuple):
             error = ready.failure(self.kernel, self.path.dtype)
         if error is not None:
             notes.append(
-                Said(
+                Message(
                     "the kernel could not be compiled ({error}), so this run is many times slower",
                     error=f"{type(error).__name__}: {error}",
                 )
             )
         if reason := unkept():
             notes.append(
-                Said(
+                Message(
                     "compiled kernels could not be kept ({reason}), so each start compiles them "
                     "again",
                     reason=reason,
@@ -270,7 +270,7 @@ class Plan:
         line = self._lines[0]
         notes = line.choice.notes(line.tracer.notes) + notes_of_lines(len(self._lines))
         if not self._filter.smooth:
-            notes.append(Said("box filter: one pixel a ray, no ghost pixels"))
+            notes.append(Message("box filter: one pixel a ray, no ghost pixels"))
         return tuple(notes + line.choice.defects())
 
     def next_iteration(self) -> None:
@@ -291,7 +291,7 @@ def notes_of_lines(count: int) -> list[str]:
     """What a log says of so many lines of light; nothing of one."""
     if count == 1:
         return []
-    return [Said("{count} lines of light, each with its own refractive indices", count=count)]
+    return [Message("{count} lines of light, each with its own refractive indices", count=count)]
 
 
 def device_of(scene: Scene) -> torch.device:
@@ -302,7 +302,7 @@ def device_of(scene: Scene) -> torch.device:
     if scene.run.device == "cuda" and not torch.cuda.is_available():
         raise Refused(
             "run.device",
-            Said("'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"),
+            Message("'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"),
         )
     return torch.device(scene.run.device)
 

@@ -18,6 +18,7 @@ from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
+from workbench.messages import Message
 from workbench.optics.fixed_faces import Followed, follow, pass_face, through_aperture
 from workbench.optics.glass_face import Glass, GlassFace
 from workbench.optics.interfaces import Refraction
@@ -30,7 +31,6 @@ from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.patterns import Patterns, tabulated
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Plane
-from workbench.said import Said
 
 
 class SampledTrain(NamedTuple):
@@ -143,15 +143,15 @@ class SampledTrain(NamedTuple):
         return tabulated(self.origins, self.half_width, self.level, lines)
 
     @property
-    def note(self) -> Said:
+    def note(self) -> Message:
         """What is special about it, in words."""
         if self.first is None:
-            return Said("samples of the aperture, followed through fixed faces once")
+            return Message("samples of the aperture, followed through fixed faces once")
         if self.glass is not None:
-            return Said("samples on the exit face, shared by all origins of the light")
+            return Message("samples on the exit face, shared by all origins of the light")
         if isinstance(self.first.interface, Refraction):
-            return Said("samples on the entrance face, shared by all origins of the light")
-        return Said("samples on the mirror, shared by all origins of the light")
+            return Message("samples on the entrance face, shared by all origins of the light")
+        return Message("samples on the mirror, shared by all origins of the light")
 
 
 def is_even(train: SampledTrain, path: Path) -> bool:

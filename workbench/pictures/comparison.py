@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
 from workbench.measured.lamps import LightUnit, light_unit
+from workbench.messages import Message
 from workbench.pictures.axes import FONT, SIGNED, Extent, colour_bar, pixel_at, stable_scale
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.powers import written
-from workbench.said import Said
 from workbench.scene import Scene, Unit
 from workbench.targets.raster import averaged
 
@@ -103,7 +103,7 @@ class Comparison:
             first = one.in_words(x, y).removesuffix(f" {one.unit.short}")
             value = f"{first} → {other.in_words(x, y)}"
         place = {"x": extent.in_words(0, x), "y": extent.in_words(1, y)}
-        return Said("{value} at {x}, {y}", value=value, **place)
+        return Message("{value} at {x}, {y}", value=value, **place)
 
     def _draw_difference(self, axes: "Axes") -> None:
         one, _ = self.lights

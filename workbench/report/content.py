@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from workbench.pictures.report import Draw
@@ -62,5 +62,5 @@ def check_ending(file: Path) -> None:
     if file.suffix.lower() not in (*HTML, *PDF):
         known = ", ".join((*HTML, *PDF))
         raise Refused(
-            str(file), Said("has no ending that tells a format; one of {endings}", endings=known)
+            str(file), Message("has no ending that tells a format; one of {endings}", endings=known)
         )

@@ -14,17 +14,17 @@ from workbench.analysis.validation_figures import Validation
 from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
 from workbench.measured.lamps import IN_PARTS, LightUnit
+from workbench.messages import Message
 from workbench.optics.account import Account, words_for
 from workbench.powers import written
 from workbench.report.content import Fact
-from workbench.said import Said
 from workbench.scene import Scene
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
 
 def check_rows(
-    found: Validation, difference: float, remark: Said | None = None
+    found: Validation, difference: float, remark: Message | None = None
 ) -> tuple[Fact, ...]:
     """Rows of the independent check.
 
@@ -81,13 +81,13 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
             "difference of random rays",
             f"{off}, –"
             if over_noise is None
-            else Said("{off}, {times:.2f} times their noise", off=off, times=over_noise),
+            else Message("{off}, {times:.2f} times their noise", off=off, times=over_noise),
         ),
     )
 
 
-def _independent_row(found: IndependentError, remark: Said | None) -> Fact:
-    text = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
+def _independent_row(found: IndependentError, remark: Message | None) -> Fact:
+    text = Message("{rays:,} rays, 95 % confidence", rays=found.rays)
     return Fact("error by image pairs", _with(text, remark))
 
 
@@ -202,12 +202,12 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     return f"{value} at ({written(x)}, {written(y)}); {sense} {written(found.bound, unit, 5)}"
 
 
-def _interval(ends: tuple[float, float]) -> Said:
-    return Said("{low} to {high}", low=percent(ends[0]), high=percent(ends[1]))
+def _interval(ends: tuple[float, float]) -> Message:
+    return Message("{low} to {high}", low=percent(ends[0]), high=percent(ends[1]))
 
 
-def _with(figure: str, remark: Said | None) -> str:
-    return figure if remark is None else Said("{figure}; {remark}", figure=figure, remark=remark)
+def _with(figure: str, remark: Message | None) -> str:
+    return figure if remark is None else Message("{figure}; {remark}", figure=figure, remark=remark)
 
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
@@ -191,7 +191,7 @@ class CollimatedSource(AnySource):
             axis = 0 if abs(self.direction[0]) >= abs(self.direction[1]) else 1
             raise Refused(
                 f"source.direction[{axis}]",
-                Said(
+                Message(
                     "{angle:g} brings light {steepest:g} degrees from the axis, which does not "
                     "come to {front}; less than 90 in all",
                     angle=self.direction[axis],
@@ -203,7 +203,7 @@ class CollimatedSource(AnySource):
         if radius < least:
             raise Refused(
                 "source.profile.radius",
-                Said(
+                Message(
                     "{radius:g} is too narrow for a {optic} with a half-width of {half:g}; at "
                     "least {least:g}",
                     radius=radius,

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 from pydantic import ConfigDict
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.element import (
     Element,
     ElementPosition,
@@ -79,7 +79,7 @@ class Diffuser(Element):
     most_faces = 0
     face_called = "diffuser"
     body_called = "diffuser"
-    front_called = Said("the diffuser")
+    front_called = Message("the diffuser")
     onwards = 1
     losses = _LOSSES
 

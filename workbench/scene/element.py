@@ -12,7 +12,7 @@ from pydantic import Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.faces import Face, PlacedBase, SplineFace, check_net
@@ -424,7 +424,7 @@ class Element(Part):
         """
         if self.known_shape is None:
             path = f"{self._shaped.path}.control_points"
-            raise Refused(path, Said("'auto' needs a target to choose for; numbers"))
+            raise Refused(path, Message("'auto' needs a target to choose for; numbers"))
         return self.known_shape
 
     @property

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.element import Element
 from workbench.scene.fields import Choices, ForMethod, about
 from workbench.scene.kinds import Kinds
@@ -55,7 +55,7 @@ class MeshMethod(Part):
         if across * up > _MOST:
             raise Refused(
                 "source.intersection.subdivisions",
-                Said(
+                Message(
                     "{parts} make {across} × {up} rectangles; at most {most} in all",
                     parts=list(self.subdivisions),
                     across=across,

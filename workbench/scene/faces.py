@@ -16,7 +16,7 @@ from pydantic import ConfigDict, Field, PrivateAttr
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.content import Content
@@ -48,7 +48,7 @@ def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> Non
         if count < degree[axis] + 1:
             raise Refused(
                 f"{path}[{axis}]",
-                Said(
+                Message(
                     "{count} is too few for degree {degree}; at least {least}",
                     count=count,
                     degree=degree[axis],
@@ -129,7 +129,7 @@ class SphereBase(Part):
         if self.radius <= math.hypot(*half_width):
             raise Refused(
                 path,
-                Said(
+                Message(
                     "{radius:g} does not span the {optic}; more than its half-diagonal {least:g}",
                     radius=self.radius,
                     optic=called,
@@ -307,12 +307,12 @@ class ConicFace(Part):
     def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
         """Refuse a surface that ends within the rim of the element, so far from its axis."""
         if self.radius == 0:
-            raise Refused("radius", Said("0 is no curvature; a radius, or a plane face"))
+            raise Refused("radius", Message("0 is no curvature; a radius, or a plane face"))
         limits.check_lengths([("radius", self.radius)], half_width, limits.FAR)
         if (1 + self.conic) * (rim / self.radius) ** 2 > 1 + 1e-12:
             raise Refused(
                 "radius",
-                Said(
+                Message(
                     "{radius:g} ends within the {optic}; more than {least:g} in size",
                     radius=self.radius,
                     optic=called,
@@ -398,7 +398,7 @@ class SplineFace(Part):
         if not isinstance(points, AutoNet) and points != (n_u, n_v):
             raise Refused(
                 "heights",
-                Said(
+                Message(
                     "the file has {count} control points; {given}",
                     count=f"{n_u} × {n_v}",
                     given="{} × {}".format(*points),
@@ -413,7 +413,7 @@ class SplineFace(Part):
         if self.fixed and self.heights is not None:
             raise Refused(
                 "unit",
-                Said(
+                Message(
                     "the control heights in {file} are in the unit of the scene; the same unit",
                     file=self.heights,
                 ),
@@ -453,7 +453,7 @@ class SplineFace(Part):
             if not low < high:
                 raise Refused(
                     "height_range",
-                    Said("[{low:g}, {high:g}] is empty; low before high", low=low, high=high),
+                    Message("[{low:g}, {high:g}] is empty; low before high", low=low, high=high),
                 )
 
     def remarks(self) -> dict[str, str]:
@@ -484,7 +484,7 @@ def _read_heights(data: bytes) -> Array:
     ):
         raise Refused(
             "heights",
-            Said(
+            Message(
                 "no array of control heights; a .npy file of at most {most} × {most} finite "
                 "numbers",
                 most=LARGEST_NET,

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.fields import ANGLE, PLACE, about
 from workbench.scene.receiver import AnyReceiver, Pixels
 
@@ -86,7 +86,7 @@ class FarField(AnyReceiver):
             if half + abs(middle) > _MOST:
                 raise Refused(
                     f"half_angle[{axis}]",
-                    Said(
+                    Message(
                         "{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}",
                         half=half,
                         middle=middle,
@@ -134,11 +134,11 @@ class FarField(AnyReceiver):
     @property
     def plane_z(self) -> float:
         """None: refused."""
-        raise Refused("receiver", Said("is at no distance; a screen is needed"))
+        raise Refused("receiver", Message("is at no distance; a screen is needed"))
 
     def moved_to(self, z: float) -> "FarField":
         """Refused."""
-        raise Refused("receiver", Said("is at no distance; a screen is needed"))
+        raise Refused("receiver", Message("is at no distance; a screen is needed"))
 
     def towards(
         self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array

@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.element import Element, Place
 from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.part import NonNegative
@@ -130,7 +130,7 @@ class GridSource(WideSource, LightOfPoints):
         if self.ray_count > MOST_RAYS:
             raise Refused(
                 "source.rays",
-                Said(
+                Message(
                     "{rays} from each of {points} points are too many; at most {most} rays in all",
                     rays=self.rays,
                     points=math.prod(self.points),

@@ -9,7 +9,7 @@ from pydantic import Field, PrivateAttr
 from workbench import materials
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import (
     DEFAULT_WAVELENGTH,
@@ -76,7 +76,7 @@ class Lens(Element):
     most_faces = 2
     face_called = "exit face"
     body_called = "body of glass"
-    front_called = Said("the entrance face")
+    front_called = Message("the entrance face")
     onwards = 1
     losses = LENS_LOSSES
 
@@ -199,11 +199,11 @@ class Lens(Element):
         if front.designed and not back.designed:
             raise Refused(
                 "faces[1].shape",
-                Said("a B-spline front face needs a B-spline back face; 'bspline'"),
+                Message("a B-spline front face needs a B-spline back face; 'bspline'"),
             )
         super().check_element()
         if not self.index > 1:
-            low = Said("{index:g}; greater than 1 is needed", index=self.index)
+            low = Message("{index:g}; greater than 1 is needed", index=self.index)
             raise Refused("material", low)
         limits.check_index(self.index)
         if not self.designed:
@@ -212,7 +212,7 @@ class Lens(Element):
         if self.floor >= self.ceiling:
             raise Refused(
                 "max_thickness",
-                Said(
+                Message(
                     "{height:g} leaves no room above the minimal thickness; more than {least:g}",
                     height=self.max_thickness,
                     least=self.min_thickness,
@@ -235,7 +235,7 @@ class Lens(Element):
         if lowest + high <= self.floor:
             raise Refused(
                 "faces[1].height_range[1]",
-                Said(
+                Message(
                     "{height:g} leaves no room above the minimal thickness; more than {least:g}",
                     height=high,
                     least=self.floor - lowest,
@@ -244,7 +244,7 @@ class Lens(Element):
         if highest + low >= self.ceiling:
             raise Refused(
                 "faces[1].height_range[0]",
-                Said(
+                Message(
                     "{height:g} leaves no room below the maximal thickness; less than {most:g}",
                     height=low,
                     most=self.ceiling - highest,

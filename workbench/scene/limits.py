@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 LARGEST_INDEX = 10.0
 """No transparent material has a larger refractive index."""
@@ -35,7 +35,7 @@ def check_width(half_width: tuple[float, float]) -> None:
     if not _SMALLEST <= large <= _LARGEST:
         raise Refused(
             f"half_width[{axis}]",
-            Said(
+            Message(
                 "{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if "
                 "need be",
                 large=large,
@@ -46,7 +46,7 @@ def check_width(half_width: tuple[float, float]) -> None:
     if half_width[1 - axis] < _SLIMMEST * large:
         raise Refused(
             f"half_width[{1 - axis}]",
-            Said(
+            Message(
                 "{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}",
                 half=half_width[1 - axis],
                 most=1 / _SLIMMEST,
@@ -63,7 +63,7 @@ def check_index(index: float) -> None:
     if index > LARGEST_INDEX:
         raise Refused(
             "material",
-            Said(
+            Message(
                 "{index:g} is more than any material has; at most {most:g}",
                 index=index,
                 most=LARGEST_INDEX,
@@ -79,7 +79,7 @@ def check_absorption(absorption: float, thickness: float) -> None:
     if absorption * thickness > -math.log(DARKEST):
         raise Refused(
             "absorption",
-            Said(
+            Message(
                 "{absorption:g} leaves less than {least:g} of the light behind {thickness:g} of "
                 "glass; at most {most:g}",
                 absorption=absorption,
@@ -104,7 +104,7 @@ def check_lengths(
         if abs(length) > longest:
             raise Refused(
                 path,
-                Said(
+                Message(
                     "{length:g} is too long beside a half-width of {half:g}; at most {most:g}",
                     length=length,
                     half=max(half_width),

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -21,10 +21,10 @@ class Loss(NamedTuple):
     cure: str
     always: bool = False  # whether every account has it, and with that every file of version 1
 
-    def cure_in(self, scene: "Scene") -> Said:
+    def cure_in(self, scene: "Scene") -> Message:
         """The cure for a scene."""
-        flatter = Said("") if scene.optic.base.shape == "flat" else Said("a flatter base, ")
-        return Said(self.cure, receiver=scene.receiver.called, flatter=flatter)
+        flatter = Message("") if scene.optic.base.shape == "flat" else Message("a flatter base, ")
+        return Message(self.cure, receiver=scene.receiver.called, flatter=flatter)
 
 
 @dataclass(frozen=True)

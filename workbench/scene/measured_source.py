@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.content import Content
 from workbench.scene.element import Element, Place
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, about
@@ -95,7 +95,7 @@ class MeasuredSource(AnySource):
         if PurePath(self.file).suffix.lower() not in self.endings:
             raise Refused(
                 "source.file",
-                Said(
+                Message(
                     "'{file}' is none of these: {endings}",
                     file=self.file,
                     endings=", ".join(self.endings),

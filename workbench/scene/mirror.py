@@ -5,7 +5,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.element import (
     Element,
     ElementPosition,
@@ -42,7 +42,7 @@ class Mirror(Element):
     most_faces = 1
     face_called = "mirror"
     body_called = "mirror"
-    front_called = Said("the mirror")
+    front_called = Message("the mirror")
     onwards = -1
     losses = _LOSSES
 

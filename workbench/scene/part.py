@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from workbench import units
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.fields import FieldDescription, NamesFile, describe
 
 if TYPE_CHECKING:
@@ -127,6 +127,8 @@ def _scaled(value: Any, factor: Fraction, power: int) -> Any:
         return value
     found = units.times(value, factor**power)
     if value and not found:
-        small = Said("{value:g} is too small for this one; a number that it can hold", value=value)
+        small = Message(
+            "{value:g} is too small for this one; a number that it can hold", value=value
+        )
         raise Refused("unit", small)
     return found

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.auto_net import AUTO
 from workbench.scene.part import Part
 from workbench.scene.task import Scene
@@ -36,7 +36,7 @@ def steps_of(whole: object, path: str) -> tuple[Step, ...]:
     the text is no path.
     """
     if not is_path(path):
-        raise Refused(path, Said("no path of a field; a path as in lens.thickness is needed"))
+        raise Refused(path, Message("no path of a field; a path as in lens.thickness is needed"))
     steps = tuple(int(found[2]) if found[2] else found[1] for found in _STEP.finditer(path))
     return tuple(_indexed(whole, steps)) if isinstance(whole, Scene) else steps
 
@@ -87,7 +87,7 @@ def with_values(scene: Scene, changes: Mapping[str, Any]) -> Scene:
     for path, value in changes.items():
         steps = steps_of(scene, path)
         if steps in changed:
-            raise Refused(path, Said("given twice; one value for each field"))
+            raise Refused(path, Message("given twice; one value for each field"))
         changed.add(steps)
         _put(data, full, path, steps, value)
     return Scene.from_data(data).with_contents_of(scene)
@@ -101,7 +101,7 @@ def _indexed(scene: Scene, steps: tuple[Step, ...]) -> Iterator[Step]:
         if first not in names:
             raise Refused(
                 str(first),
-                Said(
+                Message(
                     "no field and no element of this scene; fields: {fields}; elements: {names}",
                     fields=", ".join(sorted(Scene.model_fields)),
                     names=", ".join(names),
@@ -130,13 +130,15 @@ def _put(data: Any, full: Any, path: str, steps: tuple[Step, ...], value: Any) -
             data[str(step)] = copy.deepcopy(full) if isinstance(full, list) else {}
         data = _child(data, step)
     if isinstance(last, int) != isinstance(data, list) or not isinstance(data, list | dict):
-        raise Refused(path, Said("unknown field; there is no such part of the scene"))
+        raise Refused(path, Message("unknown field; there is no such part of the scene"))
     if isinstance(last, int) and last >= len(data):
         raise Refused(
             path,
-            Said("there are only {count} of them; 0 to {last}", count=len(data), last=len(data) - 1)
+            Message(
+                "there are only {count} of them; 0 to {last}", count=len(data), last=len(data) - 1
+            )
             if data
-            else Said("there is none of them"),
+            else Message("there is none of them"),
         )
     before = _child(full, last)
     listed = list(value) if isinstance(value, tuple) else value

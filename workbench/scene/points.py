@@ -9,7 +9,7 @@ from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, Place
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
@@ -372,14 +372,14 @@ def check_place(path: str, place: Place, optic: Element) -> None:
     limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
     front, size, way = optic.front_called, max(optic.half_width), optic.front_z - z
     if z >= optic.lowest:
-        behind = Said(
+        behind = Message(
             "{z:g} is not before {front}; less than {most:g}", z=z, front=front, most=optic.lowest
         )
         raise Refused(f"{path}[2]", behind)
     there = {"way": way, "front": front, "optic": optic.called, "size": size}
     least, most = limits.NEAREST * size, limits.FARTHEST * size
     if way < least:
-        near = Said(
+        near = Message(
             "{way:g} before {front} is too near for a {optic} with a half-width of {size:g}; at "
             "least {least:g}",
             least=least,
@@ -387,7 +387,7 @@ def check_place(path: str, place: Place, optic: Element) -> None:
         )
         raise Refused(f"{path}[2]", near)
     if way > most:
-        far = Said(
+        far = Message(
             "{way:g} before {front} is too far for a {optic} with a half-width of {size:g}; at "
             "most {most:g}, or collimated light",
             most=most,

@@ -10,7 +10,7 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.fields import PLACE, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
@@ -63,7 +63,7 @@ class _Placed(AnyRegion):
             if abs(middle) + size / 2 > 0.5 + _ROUNDING:
                 raise Refused(
                     f"size[{axis}]",
-                    Said(
+                    Message(
                         "{size:g} about {middle:g} ends beyond the receiver; at most {most:g} "
                         "there",
                         size=size,
@@ -123,9 +123,9 @@ class PolygonRegion(AnyRegion):
         """Refuse a polygon without area, or whose sides cross."""
         sides = list(zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True))
         if abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in sides)) < _ROUNDING:
-            raise Refused("corners", Said("have no area between them; a polygon with some"))
+            raise Refused("corners", Message("have no area between them; a polygon with some"))
         if any(_cross(one, other) for one, other in combinations(sides, 2)):
-            crossed = Said("make sides that cross; in their order around the polygon")
+            crossed = Message("make sides that cross; in their order around the polygon")
             raise Refused("corners", crossed)
 
     @property
@@ -140,7 +140,7 @@ def check_regions(regions: Sequence[AnyRegion]) -> None:
     Raises `Refused` with the path of the field in the scene.
     """
     if len(regions) > _MOST:
-        many = Said("{count} are given; at most {most}", count=len(regions), most=_MOST)
+        many = Message("{count} are given; at most {most}", count=len(regions), most=_MOST)
         raise Refused("regions", many)
     for number, region in enumerate(regions):
         with refused_within(f"regions[{number}]"):

@@ -9,7 +9,7 @@ from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element, Place, Tilt
 from workbench.scene.fields import LENGTH, PLACE, about
@@ -210,7 +210,7 @@ class Screen(AnyReceiver):
         if not self.upright and not before.all() and not behind:
             raise Refused(
                 "tilt",
-                Said(
+                Message(
                     "{tilt} turns the back of the screen to light of the {optic}; its "
                     "front has to face all of the {optic}",
                     tilt="[{}]".format(", ".join(f"{angle:g}" for angle in self.tilt)),
@@ -225,13 +225,13 @@ class Screen(AnyReceiver):
             places = {"z": self.z, "nearest": nearest, "least": optic.highest + (self.z - nearest)}
             raise Refused(
                 "position[2]",
-                Said(
+                Message(
                     "{z:g} may touch the lens; more than {least:g}, the highest that the exit "
                     "face can become",
                     **places,
                 )
                 if self.upright
-                else Said(
+                else Message(
                     "{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more "
                     "than {least:g}, the highest that the exit face can become and the tilt adds",
                     **places,
@@ -243,7 +243,7 @@ class Screen(AnyReceiver):
         if self.z >= optic.lowest and self.upright:
             raise Refused(
                 "position[2]",
-                Said(
+                Message(
                     "{z:g} may touch the {optic}, or be behind it; less than {most:g}, the lowest "
                     "that it can become",
                     z=self.z,

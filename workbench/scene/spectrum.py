@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 from pydantic import Field
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -63,16 +63,18 @@ def check_spectrum(scene: "Scene") -> None:
         return
     path = "source.spectrum"
     if source.wavelength_um is not None:
-        both = Said(
+        both = Message(
             "given together with a wavelength of {wavelength:g} µm; one of both",
             wavelength=source.wavelength_um,
         )
         raise Refused(path, both)
     if not 1 <= len(spectrum) <= MOST_LINES:
-        count = Said("{count} lines are given; 1 to {most}", count=len(spectrum), most=MOST_LINES)
+        count = Message(
+            "{count} lines are given; 1 to {most}", count=len(spectrum), most=MOST_LINES
+        )
         raise Refused(path, count)
     if not any(part for _, part in spectrum):
-        raise Refused(path, Said("all parts of the flux are 0; one above 0"))
+        raise Refused(path, Message("all parts of the flux are 0; one above 0"))
     for number, (wavelength, _) in enumerate(spectrum):
         for element in scene.elements:
             try:

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 
 if TYPE_CHECKING:
@@ -20,13 +20,13 @@ def stage_scenes(scene: "Scene") -> tuple["Scene", ...]:
     if not stages:
         return (scene,)
     if len(stages) > _MOST:
-        many = Said("{count} are given; at most {most}", count=len(stages), most=_MOST)
+        many = Message("{count} are given; at most {most}", count=len(stages), most=_MOST)
         raise Refused("run.stages", many)
     left = scene.run.iterations - sum(stage.iterations for stage in stages)
     if left < 1:
         raise Refused(
             "run.stages",
-            Said(
+            Message(
                 "they leave none of the {count} iterations for the scene itself; more than "
                 "{least} in all are needed",
                 count=scene.run.iterations,
@@ -78,7 +78,7 @@ def _run_in_stage(run: Run, stage: Stage) -> Run:
         run = PaperRun() if stage.method == "paper" else AutoRun()
     if stage.learning_rate is not None:
         if "learning_rate" not in type(run).model_fields:
-            unknown = Said("unknown field; the automatic method has none")
+            unknown = Message("unknown field; the automatic method has none")
             raise Refused("run.learning_rate", unknown)
         changes["learning_rate"] = stage.learning_rate
     return run.model_copy(update=changes)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.fields import (
     FILE,
     PLACE,
@@ -153,12 +153,12 @@ class ImageTarget(Finish):
         left, top, right, bottom = self.crop
         across, up, most = left + right, top + bottom, _MOST_CUT
         if across > most:
-            wide = Said(
+            wide = Message(
                 "takes {across:g} of the width away; at most {most:g}", across=across, most=most
             )
             raise Refused("target.crop", wide)
         if up > most:
-            high = Said("takes {up:g} of the height away; at most {most:g}", up=up, most=most)
+            high = Message("takes {up:g} of the height away; at most {most:g}", up=up, most=most)
             raise Refused("target.crop", high)
 
 

@@ -9,8 +9,8 @@ from pydantic import Field, ValidationError
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
+from workbench.messages import Message
 from workbench.refusals import refusal
-from workbench.said import Said
 from workbench.scene import limits, versions
 from workbench.scene.axis import incoming, leaving
 from workbench.scene.diffuser import Diffuser
@@ -156,7 +156,7 @@ class Scene(Part):
             if value is not None and min(optic.degree) < 2:
                 raise Refused(
                     f"run.{field}",
-                    Said(
+                    Message(
                         "{value:g} is about curvature, and faces of degree 1 are flat between "
                         "edges; {field} of at least 2",
                         value=value,
@@ -213,13 +213,13 @@ class Scene(Part):
         name = name.partition(".")[0]
         return next((each for each in self.focused if each.optic.name == name), self)
 
-    def face_in_words(self, face: str) -> Said:
+    def face_in_words(self, face: str) -> Message:
         """What a designed face is called within a sentence, by its id."""
         optic = self.focused_on(face).optic
-        words = Said(optic.face_in_words(face))
+        words = Message(optic.face_in_words(face))
         if len(self.designed_numbers) == 1:
             return words
-        return Said("{face} of {element}", face=words, element=optic.name)
+        return Message("{face} of {element}", face=words, element=optic.name)
 
     @property
     def first(self) -> Element:
@@ -355,7 +355,7 @@ class Scene(Part):
         if len(self.elements) > 1:
             raise Refused(
                 "elements",
-                Said(
+                Message(
                     "{count} given, which {who} cannot take into account; one",
                     count=len(self.elements),
                     who=who,
@@ -364,7 +364,7 @@ class Scene(Part):
         if not self.first.upright:
             raise Refused(
                 "elements[0].tilt" if any(self.first.tilt) else "elements[0].position",
-                Said(
+                Message(
                     "the element is not upright, which {who} cannot take into account; 0", who=who
                 ),
             )
@@ -380,7 +380,7 @@ class Scene(Part):
         if self.diffuser is not None:
             raise Refused(
                 f"elements[{len(self.elements) - 1}].kind",
-                Said("'diffuser', which {who} cannot take into account; none", who=who),
+                Message("'diffuser', which {who} cannot take into account; none", who=who),
             )
 
     def check_one_image(self, who: str) -> None:
@@ -399,7 +399,7 @@ class Scene(Part):
         if len(self.images) > 1:
             raise Refused(
                 "images",
-                Said(
+                Message(
                     "{count} given, which {who} cannot take into account; one",
                     count=len(self.images),
                     who=who,

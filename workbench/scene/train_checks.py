@@ -8,7 +8,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.axis import leaving, outgoing
 from workbench.scene.diffuser import Diffuser, LambertianScatter
 from workbench.scene.element import Element
@@ -41,10 +41,10 @@ def check_elements(scene: "Scene") -> None:
     names = [element.name for element in scene.elements]
     for number, name in enumerate(names):
         if name in names[:number]:
-            twice = Said("'{name}' is the name of another element; another name", name=name)
+            twice = Message("'{name}' is the name of another element; another name", name=name)
             raise Refused(f"elements[{number}].name", twice)
     if not any(element.free for element in scene.elements):
-        raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
+        raise Refused("elements", Message("no face is designed; one face of shape 'bspline'"))
     for number in range(len(scene.elements)):
         _check_element(scene, number)
     _check_diffuser(scene)
@@ -66,7 +66,7 @@ def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
             if angle > _SIDEWAYS:
                 raise Refused(
                     "images",
-                    Said(
+                    Message(
                         "light leaves {name} at {angle:.0f} degrees from the z axis, too far for a "
                         "far field; at most {most:g}, or a plane",
                         name=last.name,
@@ -87,7 +87,7 @@ def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
     if receiver.upright and last.upright and onwards[2] > 0:
         raise Refused(
             "images",
-            Said(
+            Message(
                 "a receiver at z = {z:g} may touch the element {name}; more than {least:g}",
                 z=receiver.z,
                 name=last.name,
@@ -96,7 +96,7 @@ def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
         )
     raise Refused(
         "images",
-        Said(
+        Message(
             "a receiver at {place} may touch the element {name}, or gets none of its light; "
             "farther along the light, and across it",
             place="[{}]".format(", ".join(f"{each:g}" for each in receiver.position)),
@@ -107,7 +107,7 @@ def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
 
 def too_many(path: str, count: int, most: int) -> Refused:
     """Return the refusal of more parts than there may be."""
-    return Refused(path, Said("{count} are given; at most {most}", count=count, most=most))
+    return Refused(path, Message("{count} are given; at most {most}", count=count, most=most))
 
 
 def _check_element(scene: "Scene", number: int) -> None:
@@ -130,7 +130,7 @@ def _check_side(path: str, element: Element, way: Array) -> None:
     cosine = float(way @ element.turn[:, 2])
     if cosine > _GRAZING or not (isinstance(element, Lens) or element.designed):
         return
-    back = Said(
+    back = Message(
         "light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as "
         "where it is turned by 180 degrees about its x",
         name=element.name,
@@ -150,7 +150,7 @@ def _check_diffuser(scene: "Scene") -> None:
         if isinstance(element, Diffuser):
             raise Refused(
                 f"elements[{number + 1}]",
-                Said(
+                Message(
                     "'{name}' is behind the diffuser {diffuser}; move the diffuser to the end",
                     name=scene.elements[number + 1].name,
                     diffuser=element.name,
@@ -164,7 +164,7 @@ def _check_diffuser(scene: "Scene") -> None:
         if not isinstance(receiver, Screen):
             raise Refused(
                 f"images[{number}].receiver.kind",
-                Said(
+                Message(
                     "behind a Lambertian diffuser all lenses make the same far field; 'plane', or "
                     "{field}: 'gaussian'",
                     field=f"elements[{len(scene.elements) - 1}].scatter.kind",
@@ -173,7 +173,7 @@ def _check_diffuser(scene: "Scene") -> None:
         if abs(receiver.across @ across) < 1 - _ROUNDING:
             raise Refused(
                 f"images[{number}].receiver.tilt",
-                Said("not parallel to the Lambertian diffuser {name}; its tilt", name=last.name),
+                Message("not parallel to the Lambertian diffuser {name}; its tilt", name=last.name),
             )
 
 
@@ -195,7 +195,7 @@ def _check_order(scene: "Scene", number: int, element: Element) -> None:
     if last.upright and onwards > 0:
         raise Refused(
             f"{path}[2]",
-            Said(
+            Message(
                 "{z:g} reaches into {name}; at least {least:g}",
                 z=element.position[2],
                 name=last.name,
@@ -204,7 +204,7 @@ def _check_order(scene: "Scene", number: int, element: Element) -> None:
         )
     raise Refused(
         path,
-        Said(
+        Message(
             "{place} is not where light of {name} goes; {by:g} farther along its axis",
             place="[{}]".format(", ".join(f"{each:g}" for each in element.position)),
             name=last.name,

@@ -13,8 +13,8 @@ from pydantic import ValidationError
 from pydantic_core import from_json
 
 from workbench.errors import Refused, shown
+from workbench.messages import Message
 from workbench.refusals import SENTENCES, field_name, refusal
-from workbench.said import Said
 from workbench.scene.turning import tilt_of, tilted, turned
 
 Data = dict[str, Any]
@@ -86,7 +86,7 @@ def upgraded(data: Data, version: int) -> Data:
     images = [_image("", data, {})]
     others = _list("further_images", data.get("further_images", []))
     if len(others) > _MOST_FURTHER:
-        many = Said("{count} are given; at most {most}", count=len(others), most=_MOST_FURTHER)
+        many = Message("{count} are given; at most {most}", count=len(others), most=_MOST_FURTHER)
         raise Refused("further_images", many)
     for number, further in enumerate(others):
         path = f"further_images[{number}]"
@@ -117,18 +117,18 @@ def _lens(lens: Data, version: int) -> tuple[Data, Any]:
     if "refractive_index" in lens:
         material = lens["refractive_index"]
         if isinstance(material, str) and wavelength is None:
-            reason = Said("missing; it goes with {material}", material=shown(material))
+            reason = Message("missing; it goes with {material}", material=shown(material))
             raise Refused("lens.wavelength_um", reason)
         if isinstance(material, bool) or not isinstance(material, int | float | str):
             raise Refused(
                 "lens.refractive_index",
-                Said(
+                Message(
                     "{value} is neither a number nor a name; a number above 1 or a material name",
                     value=shown(material),
                 ),
             )
         if not isinstance(material, str) and not 1 < material < float("inf"):
-            reason = Said("{value}; a number greater than 1 is needed", value=shown(material))
+            reason = Message("{value}; a number greater than 1 is needed", value=shown(material))
             raise Refused("lens.refractive_index", reason)
         element["material"] = material if isinstance(material, str) else {"index": material}
     return element, wavelength
@@ -146,14 +146,14 @@ def _face(path: str, optic: Data) -> tuple[Any, Data]:
     """Z of the base where it is given, and the face."""
     face: Data = {name: optic[name] for name in _KEPT_OF_FACE if name in optic}
     if "control_points" not in face:
-        raise Refused(f"{path}.control_points", Said(SENTENCES["missing"]))
+        raise Refused(f"{path}.control_points", Message(SENTENCES["missing"]))
     height = None
     if optic.get("base") is not None:
         base = dict(_object(f"{path}.base", optic["base"]))
         if "height" in base:
             height = _number(f"{path}.base.height", base.pop("height"))
         elif base.get("shape", "flat") in ("flat", "sphere"):
-            raise Refused(f"{path}.base.height", Said(SENTENCES["missing"]))
+            raise Refused(f"{path}.base.height", Message(SENTENCES["missing"]))
         face["base"] = base
     return height, face | {"shape": "bspline"}
 
@@ -168,7 +168,7 @@ def _entrance(entrance: Any) -> Data:
         case "freeform":
             _check_known("lens.entrance", face, "control_points degree height_range shape")
             return face | {"shape": "bspline"}
-    allowed = Said(
+    allowed = Message(
         SENTENCES["unknown_kind"], input=shown(face["shape"]), expected="'flat', 'freeform'"
     )
     raise Refused("lens.entrance.shape", allowed)
@@ -189,7 +189,7 @@ def _image(path: str, data: Data, image: Data) -> Data:
 def _plane(path: str, screen: Data) -> Data:
     _check_known(path, screen, "center half_width pixels tilt z")
     if "z" not in screen:
-        raise Refused(f"{path}.z", Said(SENTENCES["missing"]))
+        raise Refused(f"{path}.z", Message(SENTENCES["missing"]))
     z = _number(f"{path}.z", screen.pop("z"))
     x, y = _numbers(f"{path}.center", screen.pop("center", [0.0, 0.0]), 2)
     about_x, about_y = _numbers(f"{path}.tilt", screen.pop("tilt", [0.0, 0.0]), 2)
@@ -198,7 +198,7 @@ def _plane(path: str, screen: Data) -> Data:
             least = angle < -180
             end = {"ge": -180.0} if least else {"le": 180.0}
             sentence = SENTENCES["greater_than_equal" if least else "less_than_equal"]
-            raise Refused(f"{path}.tilt[{axis}]", Said(sentence, input=shown(angle), **end))
+            raise Refused(f"{path}.tilt[{axis}]", Message(sentence, input=shown(angle), **end))
     tilt = [about_x, about_y, 0.0]
     if about_x and about_y:
         tilt = list(tilt_of(turned((about_x, about_y))))
@@ -243,9 +243,9 @@ def _run(run: Any) -> Any:
 def _one_of(data: Data, one: str, other: str, path: str = "") -> str:
     given = [name for name in (one, other) if data.get(name) is not None]
     if not given:
-        raise Refused(f"{path}{one}", Said("missing; it or {other} is required", other=other))
+        raise Refused(f"{path}{one}", Message("missing; it or {other} is required", other=other))
     if len(given) > 1:
-        both = Said("is given together with a {one}; one of them is needed", one=one)
+        both = Message("is given together with a {one}; one of them is needed", one=one)
         raise Refused(f"{path}{other}", both)
     return given[0]
 
@@ -258,36 +258,36 @@ def _check_known(path: str, data: Mapping[str, Any], known: str) -> None:
 
 def _unknown(path: str, name: str, known: list[str]) -> Refused:
     whole = f"{path}.{field_name(name)}" if path else field_name(name)
-    return Refused(whole, Said(SENTENCES["extra_forbidden"], fields=", ".join(known)))
+    return Refused(whole, Message(SENTENCES["extra_forbidden"], fields=", ".join(known)))
 
 
 def _object(path: str, value: Any) -> Data:
     if not isinstance(value, dict):
-        raise Refused(path, Said(SENTENCES["model_type"], input=shown(value)))
+        raise Refused(path, Message(SENTENCES["model_type"], input=shown(value)))
     return value
 
 
 def _list(path: str, value: Any) -> list[Any]:
     if not isinstance(value, list):
-        raise Refused(path, Said(SENTENCES["tuple_type"], input=shown(value)))
+        raise Refused(path, Message(SENTENCES["tuple_type"], input=shown(value)))
     return value
 
 
 def _number(path: str, value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise Refused(path, Said(SENTENCES["float_type"], input=shown(value)))
+        raise Refused(path, Message(SENTENCES["float_type"], input=shown(value)))
     if not _finite(value):
-        raise Refused(path, Said(SENTENCES["finite_number"], input=shown(value)))
+        raise Refused(path, Message(SENTENCES["finite_number"], input=shown(value)))
     return value
 
 
 def _numbers(path: str, value: Any, count: int) -> list[float]:
     values = _list(path, value)
     if len(values) > count:
-        sentence = Said(SENTENCES["too_long"], actual_length=len(values), max_length=count)
+        sentence = Message(SENTENCES["too_long"], actual_length=len(values), max_length=count)
         raise Refused(path, sentence)
     if len(values) < count:
-        raise Refused(f"{path}[{len(values)}]", Said(SENTENCES["missing"]))
+        raise Refused(f"{path}[{len(values)}]", Message(SENTENCES["missing"]))
     return [_number(f"{path}[{k}]", each) for k, each in enumerate(values)]
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene.target import Side
 
 if TYPE_CHECKING:
@@ -64,11 +64,11 @@ def as_viewed(scene: "Scene", image: Array) -> Array:
     return np.ascontiguousarray(image[:, ::-1]) if inverted(scene) else image
 
 
-def side_in_words(scene: "Scene", side: Side) -> Said:
+def side_in_words(scene: "Scene", side: Side) -> Message:
     """From where one sees, as in "viewed from behind the screen"."""
     if side == "front":
-        return Said("viewed from the side of the light")
-    return Said("viewed from behind the {receiver}", receiver=scene.receiver.called)
+        return Message("viewed from the side of the light")
+    return Message("viewed from behind the {receiver}", receiver=scene.receiver.called)
 
 
 def drawing(scene: "Scene") -> tuple[object, ...]:

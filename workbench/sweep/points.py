@@ -16,7 +16,7 @@ from workbench.design.task import with_task
 from workbench.errors import Refused
 from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Scene
 from workbench.scene.paths import is_path, with_values
 
@@ -135,12 +135,14 @@ def points_of(
     """Return all combinations for open designs, each with the path of its file; see `points`."""
     for number, variation in enumerate(variations):
         if variation.path in [other.path for other in variations[:number]]:
-            raise Refused(variation.path, Said("is varied twice; all its values belong together"))
+            raise Refused(
+                variation.path, Message("is varied twice; all its values belong together")
+            )
     count = len(designs) * math.prod(len(v.values) for v in variations)
     if count > MOST_POINTS:
         raise Refused(
             "usage",
-            Said("{count} points; at most {most} are possible", count=count, most=MOST_POINTS),
+            Message("{count} points; at most {most} are possible", count=count, most=MOST_POINTS),
         )
     found = []
     for path, base in designs:

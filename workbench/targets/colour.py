@@ -17,7 +17,7 @@ import numpy.typing as npt
 from PIL import Image
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from PIL.ImageCms import ImageCmsProfile, ImageCmsTransform
@@ -107,7 +107,7 @@ class Colour(NamedTuple):
     weights: Array
     transform: "ImageCmsTransform | None" = None
     mode: str = "RGB"
-    remarks: tuple[Said, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @classmethod
     def plain(cls, tone: Tone, weights: Array = REC_709) -> "Colour":
@@ -121,7 +121,7 @@ class Colour(NamedTuple):
         try:
             found, statement = _declared(image)
         except Exception as error:  # damaged profiles raise any exception
-            broken = Said(
+            broken = Message(
                 "has a colour profile that cannot be used ({why}); "
                 "“Brightness” (target.tone) counts",
                 why=" ".join(str(error).split()),
@@ -129,7 +129,7 @@ class Colour(NamedTuple):
             return plain._replace(remarks=(broken,))
         if found is None or found.is_like(plain):
             return plain
-        stated = Said(
+        stated = Message(
             "has {statement}, which counts in place of “Brightness” (target.tone)",
             statement=statement,
         )
@@ -190,7 +190,7 @@ def _declared(image: Image.Image) -> tuple[Colour | None, str]:
     if image.format != "PNG":
         return None, ""
     if "srgb" in info:
-        return Colour.plain(SRGB), Said("a chunk sRGB")
+        return Colour.plain(SRGB), Message("a chunk sRGB")
     if (gamma := info.get("gamma")) is None:
         return None, ""
     if not 0 < gamma < 100:
@@ -200,7 +200,7 @@ def _declared(image: Image.Image) -> tuple[Colour | None, str]:
         x_white, y_white, *rest = info["chromaticity"]
         primaries = list(zip(rest[::2], rest[1::2], strict=True))
         weights = luminance_weights(primaries, (x_white, y_white))
-    return Colour.plain(Tone.power(1 / gamma), weights), Said(
+    return Colour.plain(Tone.power(1 / gamma), weights), Message(
         "a chunk gAMA of {gamma:.4g}", gamma=gamma
     )
 
@@ -210,7 +210,7 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
 
     profile = ImageCms.getOpenProfile(BytesIO(content))
     name = " ".join((profile.profile.profile_description or "").split()) or "ICC"
-    statement = Said("the colour profile “{name}”", name=name)
+    statement = Message("the colour profile “{name}”", name=name)
     space = profile.profile.xcolor_space.strip()
     is_grey = image.mode in ("1", "L", "LA", "La") or image.mode.startswith("I;16")
     fits = {"GRAY": is_grey, "RGB": image.mode != "CMYK", "CMYK": image.mode == "CMYK"}

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets import exr_reader
 from workbench.targets.colour import REC_709, luminance_weights
 from workbench.targets.picture import MOST_PIXELS, Picture, UnusablePicture, check_size, gathered
@@ -44,7 +44,7 @@ def read_exr(content: bytes) -> Picture:
     found = _displayed(pixels, weights, corner, (bottom - top + 1, right - left + 1))
     if abs(header["aspect"] - 1) < _SQUARE:
         return found
-    oblong = Said(
+    oblong = Message(
         "has pixels {aspect:.3g} times as wide as high; they count as squares",
         aspect=header["aspect"],
     )
@@ -63,18 +63,18 @@ def _unpacked(folder: Path) -> Mapping[str, Any]:
         done = subprocess.run(command, capture_output=True, timeout=_TIME_LIMIT_S, check=False)
         header: Mapping[str, Any] = json.loads((folder / exr_reader.HEADER).read_text("utf-8"))
     except (OSError, ValueError, subprocess.TimeoutExpired) as error:
-        raise UnusablePicture(Said("is damaged or incomplete")) from error
+        raise UnusablePicture(Message("is damaged or incomplete")) from error
     for (left, top), (right, bottom) in (header["displayWindow"], header["dataWindow"]):
         check_size(bottom - top + 1, right - left + 1)
     if header["deep"]:
-        raise UnusablePicture(Said("is a deep EXR; a flat one is needed"))
+        raise UnusablePicture(Message("is a deep EXR; a flat one is needed"))
     if not exr_reader.chosen(header["names"]):
         names = ", ".join(header["names"])
         raise UnusablePicture(
-            Said("has the channels {names}; R, G and B, or Y, are needed", names=names)
+            Message("has the channels {names}; R, G and B, or Y, are needed", names=names)
         )
     if done.returncode:
-        raise UnusablePicture(Said("is damaged or incomplete"))
+        raise UnusablePicture(Message("is damaged or incomplete"))
     return header
 
 
@@ -106,4 +106,4 @@ def _weights(stated: Sequence[float] | None) -> Array:
     try:
         return luminance_weights([red, green, blue], white)
     except (ValueError, np.linalg.LinAlgError) as error:
-        raise UnusablePicture(Said("has chromaticities that are no colours")) from error
+        raise UnusablePicture(Message("has chromaticities that are no colours")) from error

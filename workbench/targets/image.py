@@ -10,7 +10,7 @@ from typing import BinaryIO
 import numpy as np
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.colour import LINEAR, NUMBERS, Tone
 from workbench.targets.exr_image import is_exr, read_exr
 from workbench.targets.picture import Picture, UnusablePicture, check_size, gathered
@@ -49,13 +49,15 @@ def read_picture(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Picture:
     """
     try:
         if path.is_dir():
-            raise _refused(path, Said("is a folder; an image file is needed"))
+            raise _refused(path, Message("is a folder; an image file is needed"))
         if not path.is_file():
-            raise _refused(path, Said("is not an existing file; an image file is needed"))
+            raise _refused(path, Message("is not an existing file; an image file is needed"))
         with path.open("rb") as file:
             return decode_picture(path, file, side, tone)
     except OSError as error:
-        raise _refused(path, Said("cannot be read: {why}", why=error.strerror or error)) from error
+        raise _refused(
+            path, Message("cannot be read: {why}", why=error.strerror or error)
+        ) from error
 
 
 def decode_picture(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LINEAR) -> Picture:
@@ -70,13 +72,13 @@ def decode_picture(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LI
     if found.tone is NUMBERS and tone is not LINEAR:
         raise Refused(
             "target.tone",
-            Said(
+            Message(
                 "'{tone}' is for shades, and '{path}' holds numbers; 'linear'",
                 tone=tone.name,
                 path=path,
             ),
         )
-    remarks = tuple(Said("'{path}' {remark}", path=path, remark=each) for each in found.remarks)
+    remarks = tuple(Message("'{path}' {remark}", path=path, remark=each) for each in found.remarks)
     return found._replace(remarks=remarks)
 
 
@@ -97,7 +99,7 @@ def _decoded(path: Path, file: BinaryIO, side: int, tone: Tone) -> Picture:
         content = file.read(_LARGEST_DRAWING + 1)
         if len(content) > _LARGEST_DRAWING:
             raise UnusablePicture(
-                Said("is an SVG of more than {most} MB", most=_LARGEST_DRAWING >> 20)
+                Message("is an SVG of more than {most} MB", most=_LARGEST_DRAWING >> 20)
             )
         file = BytesIO(draw_svg(content, side))
     # An open file, not its path: pillow maps an uncompressed TIFF into memory and then garbles one
@@ -108,7 +110,7 @@ def _decoded(path: Path, file: BinaryIO, side: int, tone: Tone) -> Picture:
 def _as_light(found: Picture, tone: Tone) -> Picture:
     if tone is LINEAR:
         return found
-    light = Said("holds light itself; “Brightness” (target.tone) does not count")
+    light = Message("holds light itself; “Brightness” (target.tone) does not count")
     return found._replace(remarks=(*found.remarks, light))
 
 
@@ -116,11 +118,11 @@ def _unpacked(content: bytes) -> bytes:
     try:
         return zlib.decompressobj(_GZIP_WINDOW).decompress(content, _LARGEST_DRAWING + 1)
     except zlib.error as error:
-        raise UnusablePicture(Said("is damaged or incomplete: {why}", why=error)) from error
+        raise UnusablePicture(Message("is damaged or incomplete: {why}", why=error)) from error
 
 
-def _refused(path: Path, reason: Said) -> Refused:
-    return Refused("target.image", Said("'{path}' {reason}", path=path, reason=reason))
+def _refused(path: Path, reason: Message) -> Refused:
+    return Refused("target.image", Message("'{path}' {reason}", path=path, reason=reason))
 
 
 def read_npy(file: BinaryIO) -> Picture:
@@ -134,21 +136,23 @@ def read_npy(file: BinaryIO) -> Picture:
             shape = tuple(map(int, shape))  # numpy lets True be a length
     except Exception as error:  # the header is a Python literal: whatever parsing one raises
         raise UnusablePicture(
-            Said("is not a whole .npy array of numbers: {why}", why=error)
+            Message("is not a whole .npy array of numbers: {why}", why=error)
         ) from error
     if len(shape) != 2:
         raise UnusablePicture(
-            Said("has {count} dimensions; 2 (rows, columns) are needed", count=len(shape))
+            Message("has {count} dimensions; 2 (rows, columns) are needed", count=len(shape))
         )
     if dtype.kind not in "buif":
         raise UnusablePicture(
-            Said("holds values of type {kind}; real numbers are needed", kind=dtype)
+            Message("holds values of type {kind}; real numbers are needed", kind=dtype)
         )
     check_size(*shape)
     begin, size = header.tell(), dtype.itemsize * math.prod(shape)
     if file.seek(0, SEEK_END) - begin < size:
         raise UnusablePicture(
-            Said("is not a whole .npy array of numbers: it lacks some of {size} bytes", size=size)
+            Message(
+                "is not a whole .npy array of numbers: it lacks some of {size} bytes", size=size
+            )
         )
     file.seek(begin)
     stored = np.frombuffer(file.read(size), dtype).reshape(shape, order="F" if fortran else "C")

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.colour import LINEAR, Tone
 
 LARGEST_SIDE = 8192
@@ -27,13 +27,13 @@ class Picture(NamedTuple):
 
     light: Array
     tone: Tone = LINEAR
-    remarks: tuple[Said, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
 
 class UnusablePicture(Exception):
     """Content that is no usable picture; the reason continues a sentence after the file name."""
 
-    def __init__(self, reason: Said) -> None:
+    def __init__(self, reason: Message) -> None:
         super().__init__(reason)
         self.reason = reason
 
@@ -42,10 +42,12 @@ def check_size(rows: int, columns: int) -> None:
     """Raise UnusablePicture for a picture without pixels or with more than `MOST_PIXELS`."""
     size = {"columns": columns, "rows": rows}
     if min(rows, columns) < 1:
-        raise UnusablePicture(Said("has {columns} × {rows} pixels; at least one is needed", **size))
+        raise UnusablePicture(
+            Message("has {columns} × {rows} pixels; at least one is needed", **size)
+        )
     if rows * columns > MOST_PIXELS:
         raise UnusablePicture(
-            Said(
+            Message(
                 "has {columns} × {rows} pixels; at most {most} million are allowed",
                 most=MOST_PIXELS // 10**6,
                 **size,
@@ -68,7 +70,7 @@ def gathered(rows: int, columns: int, light_of: Callable[[int, int], Array]) -> 
         light[top // factor : (top + step) // factor] = _block_means(strip, factor)
     if factor == 1:
         return Picture(light)
-    reduced = Said(
+    reduced = Message(
         "has {columns} × {rows} pixels and is reduced to {less_columns} × {less_rows}",
         columns=columns,
         rows=rows,
@@ -81,11 +83,11 @@ def gathered(rows: int, columns: int, light_of: Callable[[int, int], Array]) -> 
 def _check_values(light: Array) -> None:
     if not np.isfinite(light).all():
         raise UnusablePicture(
-            Said("holds a value that is NaN or infinite; finite values are needed")
+            Message("holds a value that is NaN or infinite; finite values are needed")
         )
     if light.min() < 0:
         raise UnusablePicture(
-            Said("holds {least:g}; values of at least 0 are needed", least=light.min())
+            Message("holds {least:g}; values of at least 0 are needed", least=light.min())
         )
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import ImageTarget, Scene
 from workbench.scene.viewing import as_viewed
 from workbench.targets.colour import TONES, Tone
@@ -29,7 +29,7 @@ class DrawnLight(NamedTuple):
     """
 
     light: Array
-    remarks: tuple[Said, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
 
 def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
@@ -54,7 +54,7 @@ def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnL
     inside = 1 - 2 * target.padding
     half_x, half_y = (inside * half_width for half_width in receiver.half_extent)
     side = min(_FINENESS * max(receiver.pixels), _FINEST)
-    remarks: tuple[Said, ...] = ()
+    remarks: tuple[Message, ...] = ()
     if isinstance(target, ImageTarget):
         picture = _picture(target, folder / target.image, side, kept)
         light = put(picture.light, receiver, (half_x, half_y), target.fit)
@@ -65,7 +65,7 @@ def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnL
             frame = [(-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y)]
             light = np.maximum(coverage(frame, receiver) - light, 0.0)
     if not light.any():
-        small = Said("is too small to light any pixel of the screen; enlarge the shape")
+        small = Message("is too small to light any pixel of the screen; enlarge the shape")
         raise Refused("target", small)
     blurred = _blurred(light, target.blur) if target.blur else light
     return DrawnLight(as_viewed(scene, blurred), remarks)
@@ -107,7 +107,7 @@ def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
 
 def _bright_pixels(path: Path, picture: Array, invert: bool, tone: Tone) -> Array:
     if not picture.any():
-        black = Said("'{path}' is black all over; some light is needed", path=path)
+        black = Message("'{path}' is black all over; some light is needed", path=path)
         raise Refused("target.image", black)
     picture = picture / picture.max()
     if invert:
@@ -115,6 +115,6 @@ def _bright_pixels(path: Path, picture: Array, invert: bool, tone: Tone) -> Arra
         if not picture.any():
             raise Refused(
                 "target.invert",
-                Said("true leaves '{path}', which is uniform, black all over", path=path),
+                Message("true leaves '{path}', which is uniform, black all over", path=path),
             )
     return picture

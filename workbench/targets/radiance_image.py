@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.colour import REC_709, luminance_weights
 from workbench.targets.picture import Picture, UnusablePicture, check_size, gathered
 
@@ -34,7 +34,7 @@ def read_radiance(content: bytes) -> Picture:
     end = content.find(b"\n", begin)
     size = _RESOLUTION.fullmatch(content[begin:end]) if found and end >= 0 else None
     if size is None or size[2] == size[5]:
-        raise UnusablePicture(Said("is damaged: it has no line with its resolution"))
+        raise UnusablePicture(Message("is damaged: it has no line with its resolution"))
     lines, length = int(size[3]), int(size[6])
     check_size(lines, length)
     weights = _weights(dict(line.partition(b"=")[::2] for line in head.split(b"\n")))
@@ -72,7 +72,7 @@ def _weights(header: dict[bytes, bytes]) -> Array:
         red, green, blue, white = zip(values[::2], values[1::2], strict=True)
         return luminance_weights([red, green, blue], white)
     except (ValueError, ArithmeticError, np.linalg.LinAlgError) as error:
-        raise UnusablePicture(Said("has primaries that are no colours of light")) from error
+        raise UnusablePicture(Message("has primaries that are no colours of light")) from error
 
 
 def _line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
@@ -83,7 +83,7 @@ def _line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
     if not in_channels:
         return _old_line(rest, place, length)
     if 256 * int(head[2]) + int(head[3]) != length:
-        raise UnusablePicture(Said("is damaged: a line has another length than the picture"))
+        raise UnusablePicture(Message("is damaged: a line has another length than the picture"))
     place += 4
     channels = np.empty((4, length), np.uint8)
     for channel in channels:
@@ -100,7 +100,7 @@ def _line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
                 if len(values) < count:
                     raise _incomplete()
             if not 0 < count <= length - done:
-                raise UnusablePicture(Said("is damaged: a line is longer than the picture"))
+                raise UnusablePicture(Message("is damaged: a line is longer than the picture"))
             channel[done : done + count] = values
             done += count
     return channels.T, place
@@ -120,7 +120,7 @@ def _old_line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
         if len(marks):
             count = int(stored[plain, 3]) << shift
             if not 0 < done <= done + count <= length:
-                raise UnusablePicture(Said("is damaged: a line is longer than the picture"))
+                raise UnusablePicture(Message("is damaged: a line is longer than the picture"))
             pixels[done : done + count] = pixels[done - 1]
             done, place, shift = done + count, place + 4, shift + 8
         elif done < length:
@@ -129,4 +129,4 @@ def _old_line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
 
 
 def _incomplete() -> UnusablePicture:
-    return UnusablePicture(Said("is incomplete: lines are missing at its end"))
+    return UnusablePicture(Message("is incomplete: lines are missing at its end"))

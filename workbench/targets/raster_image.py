@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image, UnidentifiedImageError
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.colour import LINEAR, NUMBERS, Colour, Tone, grey_of_lab
 from workbench.targets.picture import MOST_PIXELS, Picture, UnusablePicture, check_size, gathered
 
@@ -43,14 +43,14 @@ def read_raster(file: BinaryIO, tone: Tone, known: Sequence[str]) -> Picture:
         raise
     except UnidentifiedImageError as error:
         raise UnusablePicture(
-            Said("is not an image that can be read; known: {known}", known=", ".join(known))
+            Message("is not an image that can be read; known: {known}", known=", ".join(known))
         ) from error
     except Image.DecompressionBombError as error:
         raise UnusablePicture(
-            Said("has too many pixels; at most {most} million", most=MOST_PIXELS // 10**6)
+            Message("has too many pixels; at most {most} million", most=MOST_PIXELS // 10**6)
         ) from error
     except Exception as error:  # damaged files raise any exception in decoders
-        raise UnusablePicture(Said("is damaged or incomplete: {why}", why=error)) from error
+        raise UnusablePicture(Message("is damaged or incomplete: {why}", why=error)) from error
 
 
 def _read(file: BinaryIO, tone: Tone) -> Picture:
@@ -86,7 +86,7 @@ def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
         image.height, image.width, lambda top, end: light_of(image.crop((0, top, image.width, end)))
     )
     if image.format != "MPO" and (frames := getattr(image, "n_frames", 1)) > 1:
-        remarks.append(Said("has {frames} frames or pages; the first one counts", frames=frames))
+        remarks.append(Message("has {frames} frames or pages; the first one counts", frames=frames))
     return Picture(
         _upright(found.light, image.getexif().get(_ORIENTATION, 1)),
         meant,
@@ -94,13 +94,13 @@ def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
     )
 
 
-def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Tone, list[Said]]:
+def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Tone, list[Message]]:
     # Pillow reads 16 bits of a PGM as 32, from 0 to 65535.
     is_deep = image.mode.startswith("I;16") or (image.mode == "I" and image.format == "PPM")
     if image.mode in ("I", "F") and not is_deep:  # 32 bits a pixel
         if is_negative:
             raise UnusablePicture(
-                Said("has 32 bits a pixel with zero as white; save it with zero as black")
+                Message("has 32 bits a pixel with zero as white; save it with zero as black")
             )
         return lambda strip: np.asarray(strip, dtype=np.float64), NUMBERS, []
     if image.mode == "LAB":
@@ -115,7 +115,7 @@ def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Ton
 
         return deep, colour.tone, remarks
     if is_negative:
-        raise UnusablePicture(Said("has zero as white; save it with zero as black"))
+        raise UnusablePicture(Message("has zero as white; save it with zero as black"))
     if image.has_transparency_data:
         return _over_black(image, colour), colour.tone, remarks
     return colour.light, colour.tone, remarks

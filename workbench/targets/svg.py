@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.picture import UnusablePicture
 
 _TIME_LIMIT_S = 60.0
@@ -44,7 +44,7 @@ def draw_svg(content: bytes, side: int) -> bytes:
         )
     except subprocess.TimeoutExpired as error:
         raise _undrawable(
-            Said("it cannot be drawn within {most:g} s", most=_TIME_LIMIT_S)
+            Message("it cannot be drawn within {most:g} s", most=_TIME_LIMIT_S)
         ) from error
     log = done.stderr.decode(errors="replace")
     if missing := _NO_FONT.search(log):
@@ -53,16 +53,16 @@ def draw_svg(content: bytes, side: int) -> bytes:
         return done.stdout
     if link := _LINK.search(log):
         raise UnusablePicture(
-            Said("links to the picture '{link}'; embed that picture in the SVG", link=link[1])
+            Message("links to the picture '{link}'; embed that picture in the SVG", link=link[1])
         )
     lines = log.strip().splitlines()
-    raise _undrawable(lines[-1] if lines else Said("it is nested too deeply to be drawn"))
+    raise _undrawable(lines[-1] if lines else Message("it is nested too deeply to be drawn"))
 
 
 def missing_letter(letter: str) -> UnusablePicture:
     """Return the exception for a letter that no font has."""
     return UnusablePicture(
-        Said(
+        Message(
             "has the letter {letter} (U+{number:04X}), which no font here has; install one",
             letter=letter if letter.isprintable() else repr(letter),
             number=ord(letter),
@@ -71,4 +71,4 @@ def missing_letter(letter: str) -> UnusablePicture:
 
 
 def _undrawable(why: str) -> UnusablePicture:
-    return UnusablePicture(Said("is an SVG that cannot be drawn: {why}", why=why))
+    return UnusablePicture(Message("is an SVG that cannot be drawn: {why}", why=why))

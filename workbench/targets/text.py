@@ -12,7 +12,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.targets.picture import UnusablePicture
 from workbench.targets.svg import draw_svg, missing_letter
 
@@ -40,7 +40,7 @@ def picture_of_text(text: str) -> Array:
         raise Refused("target.text", unusable.reason) from unusable
     lit = drawn.getbbox()
     if lit is None:
-        nothing = Said("{text!r} draws nothing; letters, digits or signs are needed", text=text)
+        nothing = Message("{text!r} draws nothing; letters, digits or signs are needed", text=text)
         raise Refused("target.text", nothing)
     return np.asarray(drawn.crop(lit)) / 255.0
 

@@ -8,10 +8,10 @@ from ui.run.control import RunControl
 from ui.widgets.messages import MessageBar
 from ui.window.run_notices import CoarseNetNotice
 from workbench.design.snapshot import SLOW
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import AutoNet
 
-SLOW_RUN = Said(SLOW, gain=5, patience=5)
+SLOW_RUN = Message(SLOW, gain=5, patience=5)
 
 
 @pytest.fixture

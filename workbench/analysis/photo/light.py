@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Array
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Scene
 from workbench.targets.colour import SRGB
 
@@ -100,7 +100,7 @@ class Illuminant:
     """Light of some spectrum."""
 
     name: str
-    title: Said
+    title: Message
     # (m,), flux per wavelength at equal steps from 0.38 to 0.78 µm, in any unit; empty for lines.
     power: Array = field(default_factory=lambda: np.zeros(0), repr=False)
     lines: tuple[tuple[float, float], ...] = ()  # wavelengths in µm, ascending, and parts of flux
@@ -125,7 +125,7 @@ class Illuminant:
 
 def line(wavelength_um: float) -> Illuminant:
     """Light of a single wavelength from 0.38 to 0.78 µm, as of a laser."""
-    title = Said("laser of {wavelength:g} µm", wavelength=wavelength_um)
+    title = Message("laser of {wavelength:g} µm", wavelength=wavelength_um)
     return Illuminant("laser", title, lines=((wavelength_um, 1.0),))
 
 
@@ -134,7 +134,7 @@ def of_spectrum(spectrum: Iterable[tuple[float, float]]) -> Illuminant:
     lines = sorted((w, part) for w, part in spectrum if part and _GRID[0] <= w <= _GRID[-1])
     if not lines:
         return LIGHTS["equal"]
-    return Illuminant("spectrum", Said("the spectrum of the source"), lines=tuple(lines))
+    return Illuminant("spectrum", Message("the spectrum of the source"), lines=tuple(lines))
 
 
 def _lobe(middle: float, width: float) -> Array:
@@ -146,11 +146,13 @@ LIGHTS = {
     light.name: light
     for light in (
         Illuminant(
-            "daylight", Said("daylight (D65)"), np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
+            "daylight",
+            Message("daylight (D65)"),
+            np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65),
         ),
         # A model: the blue of the chip and the light of its phosphor.
-        Illuminant("led", Said("white LED"), _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
-        Illuminant("equal", Said("equal energy"), np.ones(_GRID.size)),
+        Illuminant("led", Message("white LED"), _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
+        Illuminant("equal", Message("equal energy"), np.ones(_GRID.size)),
     )
 }
 

@@ -35,9 +35,9 @@ from workbench.arrays import Array, Mask
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
+from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Progress, Steps, finished, no_progress, of_equal, within
-from workbench.said import Said
 from workbench.scene import CustomIndex, Lens, Scene
 from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 
@@ -58,23 +58,23 @@ class Photo:
     wavelengths_um: tuple[float, ...]  # what was traced
     step: float  # distance of the images of neighbouring wavelengths, pixels
     by_cells: bool  # else by random rays
-    side: Said  # of the camera
+    side: Message  # of the camera
 
     def picture(self, stops: float = 0.0) -> npt.NDArray[np.uint8]:
         """Return values (n_y, n_x, 3) of an sRGB file; each stop of exposure doubles the light."""
         return encoded(self.rgb * (2.0**stops / self.white))
 
     @property
-    def summary(self) -> Said:
+    def summary(self) -> Message:
         """Method of the prediction in a line."""
-        way = Said("with cells") if self.by_cells else Said("with random rays")
+        way = Message("with cells") if self.by_cells else Message("with random rays")
         light = self.light.title
         if len(self.wavelengths_um) == 1:
-            return Said(
+            return Message(
                 "{side}; {light}, no dispersion known, {way}", side=self.side, light=light, way=way
             )
         first, *_, last = self.wavelengths_um
-        return Said(
+        return Message(
             "{side}; {light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels "
             "apart, {way}",
             side=self.side,
@@ -122,7 +122,7 @@ def photographing(
             image = yield from within(steps, partial(of_equal, len(wavelengths), done))
         rgb += (image / scene.receiver.pixel_measure)[..., None] * weight
     if not rgb.any():
-        dark = Said("no light of this lens reaches the screen, so there is nothing to see")
+        dark = Message("no light of this lens reaches the screen, so there is nothing to see")
         raise RunFailed(dark)
     receiver, wanted = scene.receiver, target / target.max()
     white = receiver.total(luminance(rgb)) / receiver.total(wanted)

@@ -18,7 +18,7 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.scene import Scene
 
 
@@ -48,7 +48,7 @@ class Trace:
     ) -> None:
         if rays > MOST_RAYS:
             raise Refused(
-                "rays", Said("{rays} are too many; at most {most}", rays=rays, most=MOST_RAYS)
+                "rays", Message("{rays} are too many; at most {most}", rays=rays, most=MOST_RAYS)
             )
         pose = Pose() if pose is None else pose
         at = [scene.receiver] if distances is None else map(scene.receiver.moved_to, distances)

@@ -29,14 +29,14 @@ from workbench.extended.deblur import spread_light
 from workbench.extended.scattering import Scattering, film_scene
 from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
+from workbench.messages import Message
 from workbench.powers import written
-from workbench.said import Said
 from workbench.scene import PlaneFace, Scene, WantedImage
 
 # Control points along an axis, at most, of a lens that only tells where its face is.
 _ROUGH = 64
-_BOTH, _ALONE = Said("both faces"), Said("the exit face alone")
-_LINES = Said("both faces along lines through all images")
+_BOTH, _ALONE = Message("both faces"), Message("the exit face alone")
+_LINES = Message("both faces along lines through all images")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
 _ONE_FACE = 1.8
@@ -104,7 +104,7 @@ def first_of_several(
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.wanted(target)]
-    found: dict[Said, Mapping[str, Array]] = {}
+    found: dict[Message, Mapping[str, Array]] = {}
     both_free = scene.optic.designed_front is not None and not fixed
     if both_free and (both := line_start(scene, target)) is not None:
         found[_LINES] = both
@@ -116,9 +116,9 @@ def first_of_several(
             heights = None if lens is None else lens.heights
         if heights is not None:
             name = (
-                Said("the entrance face for image {number} alone", number=number)
+                Message("the entrance face for image {number} alone", number=number)
                 if scene.optic.designed_face in fixed
-                else Said("the exit face for image {number} alone", number=number)
+                else Message("the exit face for image {number} alone", number=number)
             )
             found[name] = heights
     if not found:
@@ -142,17 +142,17 @@ def first_of_several(
     return First(dict(found[best]), (_chosen(errors, best),), exit_alone)
 
 
-def _chosen(errors: Mapping[Said, float], best: Said) -> Said:
+def _chosen(errors: Mapping[Message, float], best: Message) -> Message:
     """What was tried, how good it is, and what was taken."""
     tried = {
-        f"first_{number}": Said(
+        f"first_{number}": Message(
             "{error} % by {face}", error=written(100 * error, digits=2), face=face
         )
         for number, (face, error) in enumerate(errors.items())
     }
-    return Said(
+    return Message(
         "first lens: {tried}; it begins with {best}",
-        tried=Said(", ".join(f"{{{name}}}" for name in tried), **tried),
+        tried=Message(", ".join(f"{{{name}}}" for name in tried), **tried),
         best=best,
     )
 

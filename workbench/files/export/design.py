@@ -14,8 +14,8 @@ from workbench.errors import Refused
 from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
+from workbench.messages import Message
 from workbench.progress import Progress, no_progress
-from workbench.said import Said
 from workbench.scene import ConicFace, Element, Scene
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ class Design:
         if len(optic.placed_faces) > 1 and isinstance(front.face, ConicFace):
             raise Refused(
                 self.scene.face_path(front.name),
-                Said("a conic front face of the designed element is not exported; a plane one"),
+                Message("a conic front face of the designed element is not exported; a plane one"),
             )
 
     @property

@@ -19,9 +19,9 @@ from workbench.design.levels import JUDGED, cells_of
 from workbench.errors import Refused
 from workbench.files.export.design import Design
 from workbench.measured.lamps import of_known_size
+from workbench.messages import Message
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
-from workbench.said import Said
 from workbench.scene import FarField, Scene
 
 # Cells along an axis, source points and pixels of the first images, which locate the light.
@@ -169,9 +169,9 @@ def _window(scene: Scene, heights: Mapping[str, Tensor]) -> FarField:
         if not image.sum() > 0:
             raise Refused(
                 "session",
-                Said(
+                Message(
                     "no light leaves its {body}, so that it has no intensity",
-                    body=Said(scene.optic.body_called),
+                    body=Message(scene.optic.body_called),
                 ),
             )
         image = _blurred_by_origins(scene, window, Corners(_FEW, _FEW, _ORIGINS), image)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
-from workbench.said import Said
+from workbench.messages import Message
 
 if TYPE_CHECKING:
     from workbench.files.export.design import Design, Deviation
@@ -105,5 +105,5 @@ def format_of(path: Path) -> Format:
             return found
     raise Refused(
         str(path),
-        Said("has no ending that tells a format; one of {endings}", endings=", ".join(ENDINGS)),
+        Message("has no ending that tells a format; one of {endings}", endings=", ".join(ENDINGS)),
     )

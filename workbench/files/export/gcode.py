@@ -16,9 +16,9 @@ from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.options import Cutting
 from workbench.geometry.ball_cutter import CutErrors, CutFace, Raster
+from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Steps, finished, within
-from workbench.said import Said
 
 # Allowed excess and gouge over the scallop height: a cutter that fits has less.
 _EXCESS, _GOUGE = 2.0, 0.25
@@ -49,7 +49,7 @@ class CutPlan(NamedTuple):
             return None
         return Refused(
             "tool_radius",
-            Said(
+            Message(
                 "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
                 "cuts off {cut}; {cure}",
                 radius=written(self.raster.radius, unit),
@@ -61,10 +61,10 @@ class CutPlan(NamedTuple):
             ),
         )
 
-    def _cure(self, unit: str) -> Said:
+    def _cure(self, unit: str) -> Message:
         if self.default_radius < self.raster.radius:
-            return Said("one of {fitting} fits", fitting=written(self.default_radius, unit, 2))
-        return Said("a smaller one or higher ridges are needed")
+            return Message("one of {fitting} fits", fitting=written(self.default_radius, unit, 2))
+        return Message("a smaller one or higher ridges are needed")
 
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:

@@ -11,7 +11,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.step import write_step, write_step_face
-from workbench.said import Said
+from workbench.messages import Message
 
 _UNIT = {"mm": "MM", "cm": "CM", "m": "M", "inch": "INCH"}
 _SAMPLES = 33  # along each axis, for measuring the written face
@@ -41,7 +41,7 @@ def _write(
     except ImportError as error:
         raise Refused(
             ".iges",
-            Said("needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings"),
+            Message("needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings"),
         ) from error
     _silence()
     with tempfile.TemporaryDirectory() as folder:
@@ -56,9 +56,10 @@ def _write(
 
 
 def _silence() -> None:
-    from OCP.Message import Message, Message_Gravity
+    from OCP.Message import Message as OcpMessage
+    from OCP.Message import Message_Gravity
 
-    for printer in Message.DefaultMessenger_s().Printers():
+    for printer in OcpMessage.DefaultMessenger_s().Printers():
         printer.SetTraceLevel(Message_Gravity.Message_Fail)
 
 
@@ -70,7 +71,7 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     solids = 1  # write solids, not only faces
     writer = IGESControl_Writer(unit, solids)
     if not writer.AddShape(_read(STEPControl_Reader(), step)):
-        raise RunFailed(Said("OpenCASCADE could not turn the shape into IGES"))
+        raise RunFailed(Message("OpenCASCADE could not turn the shape into IGES"))
     writer.ComputeModel()
     # Neither user nor time: the same lens gives the same file.
     model = writer.Model()
@@ -82,7 +83,7 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     header.SetLastChangeDate(Text("19700101.000000"))
     model.SetGlobalSection(header)
     if not writer.Write(str(iges)):
-        raise RunFailed(Said("OpenCASCADE could not write the IGES file"))
+        raise RunFailed(Message("OpenCASCADE could not write the IGES file"))
 
 
 def _read(reader: Any, path: Path) -> Any:
@@ -90,7 +91,7 @@ def _read(reader: Any, path: Path) -> Any:
 
     if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise RunFailed(
-            Said("OpenCASCADE could not read the {ending} file again", ending=path.suffix)
+            Message("OpenCASCADE could not read the {ending} file again", ending=path.suffix)
         )
     reader.TransferRoots()
     return reader.OneShape()
@@ -99,7 +100,9 @@ def _read(reader: Any, path: Path) -> Any:
 def _face_error(faces: Sequence[Design], path: Path) -> float:
     found = [_places(faces[0], surface) for surface in _spline_faces(path)]
     if not found:
-        raise RunFailed(Said("OpenCASCADE finds no B-spline face in the IGES file that it wrote"))
+        raise RunFailed(
+            Message("OpenCASCADE finds no B-spline face in the IGES file that it wrote")
+        )
     return max(min(_distance(face, places) for places in found) for face in faces)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from workbench.errors import Refused, shown
-from workbench.said import Said
+from workbench.messages import Message
 from workbench.units import METRES
 
 MILLIMETRES, SCENE_UNIT = "mm", "scene"
@@ -74,15 +74,15 @@ class Cutting:
         for name in ("tool_radius", "scallop", "safe_height"):
             value = getattr(self, name)
             if value is not None and not 0 < value < math.inf:
-                raise Refused(name, Said("{value:g}; a length above 0", value=value))
+                raise Refused(name, Message("{value:g}; a length above 0", value=value))
         if not 0 <= self.rim < math.inf:
-            raise Refused("rim", Said("{value:g}; a length of 0 or more", value=self.rim))
+            raise Refused("rim", Message("{value:g}; a length of 0 or more", value=self.rim))
         for name, (least, most, unit) in RANGES.items():
             value = getattr(self, name)
             if not least <= value <= most:
                 raise Refused(
                     name,
-                    Said(
+                    Message(
                         "{value:g} {unit}; from {least:g} to {most:,} {unit}",
                         value=value,
                         unit=unit,
@@ -94,7 +94,7 @@ class Cutting:
         if radius is not None and ridge is not None and ridge >= radius:
             raise Refused(
                 "scallop",
-                Said(
+                Message(
                     "{ridge:g}; less than the cutter's radius {radius:g} is needed",
                     ridge=ridge,
                     radius=radius,
@@ -110,5 +110,7 @@ def mesh_unit_of(asked: str, scene_unit: str) -> str:
     """Return the unit of length for a requested name; raise Refused if it is unknown."""
     if asked not in MESH_UNITS:
         known = ", ".join(MESH_UNITS)
-        raise Refused("mesh_unit", Said("{unit}; one of {known}", unit=shown(asked), known=known))
+        raise Refused(
+            "mesh_unit", Message("{unit}; one of {known}", unit=shown(asked), known=known)
+        )
     return scene_unit if asked == SCENE_UNIT else asked

@@ -13,7 +13,7 @@ from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.basis import local_basis
 from workbench.geometry.curvature import derivative_range
-from workbench.said import Said
+from workbench.messages import Message
 
 Indices = npt.NDArray[np.int64]
 
@@ -61,7 +61,7 @@ class Tessellation(NamedTuple):
         if largest < 2 * rounding:
             raise Refused(
                 "--chord-error",
-                Said(
+                Message(
                     "{largest:.3g} {unit} is finer than the numbers of this format; at "
                     "least {least:.3g}",
                     largest=largest,
@@ -218,7 +218,7 @@ def _check_cells(cells: float, design: Design) -> None:
         largest = design.largest_chord_error
         raise Refused(
             "--chord-error",
-            Said(
+            Message(
                 "{largest:.3g} {unit} takes {triangles:.0f} triangles, more than "
                 "{most}; about {possible:.2g} is possible",
                 largest=largest,

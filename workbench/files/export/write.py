@@ -12,9 +12,9 @@ from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting, mesh_unit_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
+from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Progress, no_progress
-from workbench.said import Said
 from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
@@ -69,7 +69,9 @@ def export(
     front = optic.designed_front
     for path, found in zip(paths, formats, strict=True):
         if found.front and front is None:
-            raise Refused(str(path), Said("the entrance face is not freeform, so it has no file"))
+            raise Refused(
+                str(path), Message("the entrance face is not freeform, so it has no file")
+            )
         check_writable(path)
     failures: list[tuple[Path, Refused | RunFailed]] = []
     for path, found in zip(paths, formats, strict=True):
@@ -93,7 +95,7 @@ def designed_element(scene: Scene, name: str | None) -> Element:
     if name not in names:
         raise Refused(
             "element",
-            Said("{name} is no designed element; {names}", name=name, names=", ".join(names)),
+            Message("{name} is no designed element; {names}", name=name, names=", ".join(names)),
         )
     return scene.focused_on(name).optic
 
@@ -102,11 +104,11 @@ def _together(failures: Sequence[tuple[Path, Refused | RunFailed]]) -> Refused |
     (first, failure), *others = failures
     reason: str = _of_file(first, failure)
     for path, other in others:
-        reason = Said(
+        reason = Message(
             "{reason}; {path}: {other}", reason=reason, path=path, other=_of_file(path, other)
         )
     if all(isinstance(each, RunFailed) for _, each in failures):
-        return RunFailed(Said("{path}: {reason}", path=first, reason=reason))
+        return RunFailed(Message("{path}: {reason}", path=first, reason=reason))
     return Refused(str(first), reason)
 
 

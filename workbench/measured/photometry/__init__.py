@@ -9,7 +9,7 @@ from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
 from workbench.measured.photometry.table import IntensityTable
 from workbench.measured.text import problem_in
-from workbench.said import Said
+from workbench.messages import Message
 
 __all__ = ["ENDINGS", "IntensityTable", "read_photometry"]
 
@@ -27,17 +27,17 @@ def read_photometry(name: PurePath, file: BinaryIO) -> IntensityTable:
     if reader is None:
         raise Refused(
             str(name),
-            Said("is no photometric file; {endings} is needed", endings=" or ".join(ENDINGS)),
+            Message("is no photometric file; {endings} is needed", endings=" or ".join(ENDINGS)),
         )
     content = file.read(_LARGEST + 1)
     if len(content) > _LARGEST:
         raise Refused(
             str(name),
-            Said("has more than {most} MB, too many for such a file", most=_LARGEST >> 20),
+            Message("has more than {most} MB, too many for such a file", most=_LARGEST >> 20),
         )
     try:
         return reader(content)
     except ValueError as error:
         raise Refused(
-            str(name), Said("cannot be used: {problem}", problem=problem_in(error))
+            str(name), Message("cannot be used: {problem}", problem=problem_in(error))
         ) from error

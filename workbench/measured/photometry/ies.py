@@ -11,7 +11,7 @@ import numpy as np
 
 from workbench.measured.photometry.table import TYPES, IntensityTable, possible, table_of, type_c_of
 from workbench.measured.text import count, lines_of, number, readings, trailing, wrong_length
-from workbench.said import Said
+from workbench.messages import Message
 
 _MOST_ANGLES = 1 << 14
 _YEARS = {"86": 1986, "91": 1991, "95": 1995, "02": 2002, "19": 2019}
@@ -35,10 +35,10 @@ def read_ies(content: bytes) -> IntensityTable:
     )
     tilt, given = next(filter(None, tilts), (None, ""))
     if tilt is None:
-        raise ValueError(Said("it has no line that begins with TILT=, as each IES file has"))
+        raise ValueError(Message("it has no line that begins with TILT=, as each IES file has"))
     if given.upper() not in ("NONE", "INCLUDE"):
         raise ValueError(
-            Said(
+            Message(
                 "its TILT is in another file, {file!r}; NONE or INCLUDE is needed",
                 file=given.upper()[:30],
             )
@@ -50,7 +50,7 @@ def read_ies(content: bytes) -> IntensityTable:
             return _table(words, given.upper() == "INCLUDE", year)
         except ValueError as error:
             refused = refused or error
-    raise refused or ValueError(Said("it ends behind its TILT"))
+    raise refused or ValueError(Message("it ends behind its TILT"))
 
 
 def _year(first: str) -> int:
@@ -64,7 +64,7 @@ def _year(first: str) -> int:
     known = _YEARS.get(year[-2:])
     if known is None or year not in (str(known), str(known)[2:]):
         raise ValueError(
-            Said(
+            Message(
                 "it says to be of version {found!r}; known are {known}",
                 found=first[:30],
                 known=", ".join(f"LM-63-{each}" for each in _YEARS.values()),
@@ -77,7 +77,7 @@ def _table(words: list[str], tilted: bool, year: int) -> IntensityTable:
     words = words[_length_of_tilt(words) :] if tilted else words
     if len(words) < 13:
         raise ValueError(
-            Said("it is cut off: {n} of 13 numbers stand before its angles", n=len(words))
+            Message("it is cut off: {n} of 13 numbers stand before its angles", n=len(words))
         )
     multiplier = number(words[2])
     n_v, n_h = (count(word, 1, _MOST_ANGLES) for word in words[3:5])
@@ -89,7 +89,7 @@ def _table(words: list[str], tilted: bool, year: int) -> IntensityTable:
     words, remarks = trailing(words, needed)
     if len(words) != needed:
         raise ValueError(
-            Said(
+            Message(
                 "{problem}: its header makes {needed} numbers, and there are {found}",
                 problem=wrong_length(len(words), needed),
                 needed=needed,
@@ -106,6 +106,6 @@ def _table(words: list[str], tilted: bool, year: int) -> IntensityTable:
 
 def _length_of_tilt(words: list[str]) -> int:
     if len(words) < 2:
-        raise ValueError(Said("it is cut off within {part}", part=Said("its TILT")))
+        raise ValueError(Message("it is cut off within {part}", part=Message("its TILT")))
     # How a lamp stands, the number of angles, these, and as many factors.
     return 2 + 2 * count(words[1], 0, _MOST_ANGLES)

@@ -13,7 +13,7 @@ import numpy as np
 
 from workbench.measured.photometry.table import IntensityTable, possible, table_of
 from workbench.measured.text import count, lines_of, number, trailing, with_points, wrong_length
-from workbench.said import Said
+from workbench.messages import Message
 
 _MOST_ANGLES = 1 << 14
 _MOST_LAMPS = 20
@@ -31,7 +31,7 @@ def read_ldt(content: bytes) -> IntensityTable:
     lines = _with_points(lines_of(content))
     if len(lines) <= _HEAD:
         raise ValueError(
-            Said(
+            Message(
                 "it is cut off: {found} of at least {least} lines are there",
                 found=len(lines),
                 least=_HEAD + 1,
@@ -51,7 +51,7 @@ def read_ldt(content: bytes) -> IntensityTable:
             return _table(words, symmetry, (n_c, listed), n_gamma, factor)
         except ValueError as error:
             refused = refused or error
-    raise refused or ValueError(Said("it is cut off within {part}", part=Said("its lamps")))
+    raise refused or ValueError(Message("it is cut off within {part}", part=Message("its lamps")))
 
 
 def _with_points(lines: list[str]) -> list[str]:
@@ -86,7 +86,7 @@ def _table(
     words, remarks = trailing(words, needed)
     if len(words) != needed:
         raise ValueError(
-            Said(
+            Message(
                 "{problem}: its header makes {needed} numbers behind the lamps, and there are "
                 "{found}",
                 problem=wrong_length(len(words), needed),
@@ -118,7 +118,7 @@ def _stored(symmetry: int, n_c: int) -> list[int]:
     parts = 2 if symmetry == 2 else 4
     if n_c % parts:
         raise ValueError(
-            Said(
+            Message(
                 "its symmetry is {symmetry} and it has {n} planes of C; a multiple of {parts} is "
                 "needed",
                 symmetry=symmetry,

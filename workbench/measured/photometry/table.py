@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from workbench.arrays import Array, Index
-from workbench.said import Said
+from workbench.messages import Message
 
 # Negative intensities, relative to the largest, that measurement noise and rounding explain.
 _ROUNDED = 0.005
@@ -43,7 +43,7 @@ class IntensityTable:
     gamma: Array  # (n_g,), degrees, ascending, within 0 to 180
     # (n_c, n_g), finite, not negative, not all zero; the first and the last row are the same plane.
     candela: Array
-    remarks: tuple[Said, ...] = ()  # anomalies of the file that do not prevent reading it
+    remarks: tuple[Message, ...] = ()  # anomalies of the file that do not prevent reading it
 
     @property
     def note(self) -> str:
@@ -127,13 +127,13 @@ def solid_angles(gamma: Array) -> Array:
 def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
     """Return the table of a file's planes (see `all_around`); raise ValueError if invalid."""
     if len(gamma) < 2:
-        raise ValueError(Said("it has a single angle γ; at least two are needed"))
+        raise ValueError(Message("it has a single angle γ; at least two are needed"))
     for name, angles in (("C", c), ("γ", gamma)):
         if (np.diff(angles) <= 0).any():
-            raise ValueError(Said("its angles {name} do not ascend", name=name))
+            raise ValueError(Message("its angles {name} do not ascend", name=name))
     if gamma[0] < 0 or gamma[-1] > 180:
         raise ValueError(
-            Said(
+            Message(
                 "its angles γ go from {first:g}° to {last:g}°; within 0° to 180°",
                 first=gamma[0],
                 last=gamma[-1],
@@ -142,7 +142,7 @@ def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
     return IntensityTable(*all_around(c, candela, gamma))
 
 
-def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
+def possible(candela: Array) -> tuple[Array, tuple[Message, ...]]:
     """Check the intensities of a file, cd; small negative ones become 0, with a remark.
 
     Raise ValueError if all are zero, one is negative, or the largest is out of range.
@@ -150,13 +150,13 @@ def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
     largest, least = float(candela.max()), float(candela.min())
     if -_ROUNDED * largest > least:
         raise ValueError(
-            Said("it has an intensity of {least:g} cd; none can be negative", least=least)
+            Message("it has an intensity of {least:g} cd; none can be negative", least=least)
         )
     if not largest > 0:
-        raise ValueError(Said("it gives no light: all its intensities are 0"))
+        raise ValueError(Message("it gives no light: all its intensities are 0"))
     if not _DIMMEST <= largest <= _BRIGHTEST:
         raise ValueError(
-            Said(
+            Message(
                 "its largest intensity is {largest:.3g} cd; from {least:g} to {most:g} cd can be "
                 "used",
                 largest=largest,
@@ -166,7 +166,7 @@ def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
         )
     if least >= 0:
         return candela, ()
-    remark = Said(
+    remark = Message(
         "intensities below 0 count as 0: {count}, the least is {least:g} cd",
         count=int((candela < 0).sum()),
         least=least,
@@ -190,7 +190,7 @@ def all_around(c: Array, candela: Array, gamma: Array) -> tuple[Array, Array, Ar
         c, candela = np.append(c, c[0] + 360.0), np.vstack([candela, candela[:1]])
     if c[-1] - c[0] != 360:
         raise ValueError(
-            Said(
+            Message(
                 "its planes of C go from {first:g}° to {last:g}°, which is no known symmetry",
                 first=c[0],
                 last=c[-1],
@@ -233,11 +233,11 @@ def type_c_of(kind: str, h: Array, v: Array, candela: Array) -> IntensityTable:
     turn, elevation = (h, v) if kind == "A" else (v, h)
     for name, angles in (("H", h), ("V", v)):
         if len(angles) < 2:
-            raise ValueError(Said("it has a single angle {name}; two are needed", name=name))
+            raise ValueError(Message("it has a single angle {name}; two are needed", name=name))
         most = 180 if angles is turn else 90
         if (np.diff(angles) <= 0).any() or angles[0] < -most or angles[-1] > most:
             raise ValueError(
-                Said(
+                Message(
                     "its angles {name} go from {first:g}° to {last:g}°; they have to ascend within "
                     "−{most}° to {most}°",
                     name=name,

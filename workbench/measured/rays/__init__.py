@@ -9,7 +9,7 @@ from workbench.measured.rays.opticstudio import read_dat, read_text
 from workbench.measured.rays.rayset import MOST_RAYS, RaySet
 from workbench.measured.rays.tm25 import read_tm25
 from workbench.measured.text import problem_in
-from workbench.said import Said
+from workbench.messages import Message
 
 __all__ = ["ENDINGS", "MOST_RAYS", "RaySet", "read_rays"]
 
@@ -30,11 +30,11 @@ def read_rays(name: PurePath, file: BinaryIO) -> RaySet:
     reader = _READERS.get(name.suffix.lower())
     if reader is None:
         raise Refused(
-            str(name), Said("is no ray file; {endings} are known", endings=", ".join(ENDINGS))
+            str(name), Message("is no ray file; {endings} are known", endings=", ".join(ENDINGS))
         )
     try:
         return reader(file)
     except ValueError as error:
         raise Refused(
-            str(name), Said("cannot be used: {problem}", problem=problem_in(error))
+            str(name), Message("cannot be used: {problem}", problem=problem_in(error))
         ) from error

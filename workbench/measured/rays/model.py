@@ -15,7 +15,7 @@ import numpy as np
 
 from workbench.arrays import Array, Index
 from workbench.measured.rays.rayset import PlacedRays
-from workbench.said import Said
+from workbench.messages import Message
 
 # Sum of the means of u⁴ and v⁴ over that of u² v², for normalised u, v: 3.6 for a uniform
 # rectangle, 6 for round distributions.
@@ -95,9 +95,9 @@ class RayModel(NamedTuple):
     off: float = 0.0
 
     @property
-    def note(self) -> Said:
+    def note(self) -> Message:
         """Accuracy of the model, in words."""
-        return Said(
+        return Message(
             "{points} points stand for the rays of the file: {off:.1f} % of their light on the "
             "lens is elsewhere, and rays start {spread:.0f} % as far from their point as from the "
             "middle of all",
@@ -149,7 +149,7 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
     x, y, arriving = rays.onto(z)
     arriving &= (np.abs(x) <= extent[0]) & (np.abs(y) <= extent[1]) & (rays.flux > 0)
     if not arriving.any():
-        raise ValueError(Said("no ray of it comes to the lens"))
+        raise ValueError(Message("no ray of it comes to the lens"))
     flux, crossing = rays.flux[arriving], np.column_stack([x, y])[arriving]
     slope = rays.direction[arriving, :2] / rays.direction[arriving, 2:]
     distance = _point_distance(crossing, slope, flux, max(half_width))

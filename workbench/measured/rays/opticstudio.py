@@ -14,7 +14,7 @@ import numpy as np
 from workbench.measured.rays.rayset import Columns, RaySet, gathered, records, size_of
 from workbench.measured.rays.table import in_utf8, read_below, read_csv
 from workbench.measured.text import count
-from workbench.said import Said
+from workbench.messages import Message
 
 HEADER = np.dtype(
     [
@@ -49,7 +49,7 @@ def read_dat(file: BinaryIO) -> RaySet:
         start, counted = _beginning(text)
         if counted is None:
             raise ValueError(
-                Said("it begins neither like a binary source file nor like one of text")
+                Message("it begins neither like a binary source file nor like one of text")
             )
         return _below(text, start, *counted)
 
@@ -84,7 +84,7 @@ def _below(file: BinaryIO, start: int, rays: int, unit: str) -> RaySet:
     found = read_below(file, unit)
     if found.in_file != rays:
         raise ValueError(
-            Said(
+            Message(
                 "its first line says {rays} rays, and there are {found}",
                 rays=rays,
                 found=found.in_file,
@@ -95,22 +95,22 @@ def _below(file: BinaryIO, start: int, rays: int, unit: str) -> RaySet:
 
 def _binary(file: BinaryIO, content: bytes, size: int) -> RaySet:
     if len(content) < HEADER.itemsize:
-        raise ValueError(Said("it is cut off within {part}", part=Said("its header")))
+        raise ValueError(Message("it is cut off within {part}", part=Message("its header")))
     header = np.frombuffer(content, HEADER)[0]
     width = _WIDTHS.get(int(header["format"]))
     if width is None:
         raise ValueError(
-            Said("its rays are of format {found}; 0 or 2 is known", found=header["format"])
+            Message("its rays are of format {found}; 0 or 2 is known", found=header["format"])
         )
     if header["unit"] >= len(UNITS):
         most = len(UNITS) - 1
         raise ValueError(
-            Said("its unit is {found}; 0 to {most} are known", found=header["unit"], most=most)
+            Message("its unit is {found}; 0 to {most} are known", found=header["unit"], most=most)
         )
     rays, left = int(header["rays"]), size - HEADER.itemsize
     if rays * width * 4 != left:
         raise ValueError(
-            Said(
+            Message(
                 "its header says {rays} rays, and the {left} bytes behind it are {found:.10g} of "
                 "them",
                 rays=rays,

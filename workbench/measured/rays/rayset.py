@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench import units
 from workbench.arrays import Array, Index, Mask
-from workbench.said import Said
+from workbench.messages import Message
 
 Floats = npt.NDArray[np.float32]
 MOST_RAYS = 4_000_000
@@ -81,11 +81,11 @@ def gathered(
         kept = table[drawn].copy()
         parts.append((kept, flux))
     if not first:
-        raise ValueError(Said("it has no rays"))
+        raise ValueError(Message("it has no rays"))
     table = np.concatenate([kept for kept, _ in parts])
     flux = np.concatenate([flux for _, flux in parts])
     if not flux.any():
-        raise ValueError(Said("none of its rays has any flux"))
+        raise ValueError(Message("none of its rays has any flux"))
     direction = table[:, 3:6] / np.linalg.norm(table[:, 3:6], axis=1, keepdims=True)
     wavelength = None if columns.wavelength is None else to_nm * table[:, columns.wavelength]
     spectrum = None
@@ -93,7 +93,7 @@ def gathered(
         spectrum = table[:, columns.spectrum].astype(np.int32) - 1
         if not ((spectrum >= 0) & (spectrum < len(spectra))).all():
             raise ValueError(
-                Said("a ray has a spectrum that is none of the {n} there are", n=len(spectra))
+                Message("a ray has a spectrum that is none of the {n} there are", n=len(spectra))
             )
     position = table[:, :3].copy()
     return RaySet(position, direction, flux, first, unit, wavelength, spectrum, spectra)
@@ -101,16 +101,16 @@ def gathered(
 
 def _checked(table: Floats, columns: Columns, first: int) -> Floats:
     if ray := _wrong_ray(~np.isfinite(table).all(axis=1), first):
-        raise ValueError(Said("its ray {ray} has a value that is no finite number", ray=ray))
+        raise ValueError(Message("its ray {ray} has a value that is no finite number", ray=ray))
     with np.errstate(over="ignore"):
         square = np.square(table[:, 3:6]).sum(axis=1)
     if ray := _wrong_ray(np.abs(square - 1) > 2 * _LENGTH, first):
-        raise ValueError(Said("its ray {ray} has a direction that is no unit vector", ray=ray))
+        raise ValueError(Message("its ray {ray} has a direction that is no unit vector", ray=ray))
     if columns.flux is None:
         return np.ones(len(table), np.float32)
     flux: Floats = table[:, columns.flux]
     if ray := _wrong_ray(flux < 0, first):
-        raise ValueError(Said("its ray {ray} has a negative flux", ray=ray))
+        raise ValueError(Message("its ray {ray} has a negative flux", ray=ray))
     return flux
 
 
@@ -148,7 +148,7 @@ def records(file: BinaryIO, rays: int, width: int) -> Iterator[Floats]:
         content = file.read(4 * width * count)
         if len(content) < 4 * width * count:
             last = first + len(content) // (4 * width)
-            raise ValueError(Said("it is cut off behind ray {ray}", ray=last))
+            raise ValueError(Message("it is cut off behind ray {ray}", ray=last))
         yield np.frombuffer(content, "<f4").reshape(count, width)
 
 

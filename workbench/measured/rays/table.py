@@ -19,7 +19,7 @@ from workbench import units
 from workbench.errors import shown
 from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered, size_of
 from workbench.measured.text import encoding_of
-from workbench.said import Said
+from workbench.messages import Message
 
 _AT_ONCE = 1 << 24  # bytes
 _UNIT = re.compile(r"\[\s*(\w+)\s*\]|\(\s*(\w+)\s*\)")
@@ -58,7 +58,7 @@ def read_csv(file: BinaryIO) -> RaySet:
         line = re.split(rb"\r\n|\n|\r", file.read(_LONGEST_LINE))[0]
         text = line.decode("latin-1").strip()
         if not line and not file.read(1):
-            raise ValueError(Said("it has no rays"))
+            raise ValueError(Message("it has no rays"))
         if text and not text.startswith("#") and not re.search(r"[A-Za-df-z]", text):
             break
         found = _UNIT.search(text)
@@ -77,11 +77,13 @@ def read_below(file: BinaryIO, unit: str | None) -> RaySet:
     file.seek(start)
     sample = re.split(rb"[\r\n]+", file.read(_LONGEST_LINE).strip())[0].strip(_BESIDE)
     if not sample:
-        raise ValueError(Said("it has no rays"))
+        raise ValueError(Message("it has no rays"))
     separator, comma = _marks(sample)
     width = len(sample.split(separator or None))
     if width not in (7, 8):
-        raise ValueError(Said("its first ray has {n} numbers; 7, or 8 with a wavelength", n=width))
+        raise ValueError(
+            Message("its first ray has {n} numbers; 7, or 8 with a wavelength", n=width)
+        )
     file.seek(start)
     about = (size - start) // max(len(sample), 1) + 1
     columns = Columns(wavelength=7 if width == 8 else None)
@@ -106,7 +108,7 @@ def _chunks(file: BinaryIO, separator: bytes, comma: bool, width: int) -> Iterat
         content = rest + content
         end = max(content.rfind(b"\n"), content.rfind(b"\r")) + 1
         if not end and len(content) > _AT_ONCE:
-            raise ValueError(Said("it has a line without an end"))
+            raise ValueError(Message("it has a line without an end"))
         rest, content = content[end:], content[:end]
         if content.strip():
             table = _numbers(content, separator, comma, width, line)
@@ -118,7 +120,7 @@ def _chunks(file: BinaryIO, separator: bytes, comma: bool, width: int) -> Iterat
 
 def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: int) -> Floats:
     if b"\0" in content:
-        raise ValueError(Said("it is no text"))
+        raise ValueError(Message("it is no text"))
     content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if separator:  # a mark at the end of lines begins no column
         content = _MARKS_AT_END.sub(b"", content)
@@ -131,12 +133,12 @@ def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: in
     except ValueError as error:
         reason = shown(str(error).split(";")[0])
         raise ValueError(
-            Said("behind ray {ray} it has no rays: {reason}", ray=line, reason=reason)
+            Message("behind ray {ray} it has no rays: {reason}", ray=line, reason=reason)
         ) from None
     if table.shape[1] != width:
         found = table.shape[1]
         raise ValueError(
-            Said(
+            Message(
                 "behind ray {ray} it has {found} columns; {width} as above",
                 ray=line,
                 found=found,

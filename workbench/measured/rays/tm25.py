@@ -11,7 +11,7 @@ from typing import BinaryIO
 import numpy as np
 
 from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered, records, size_of
-from workbench.said import Said
+from workbench.messages import Message
 
 HEADER = np.dtype(
     [
@@ -47,12 +47,12 @@ _MOST_SPECTRA, _MOST_POINTS, _MOST_COLUMNS, _MOST_TEXT = 10_000, 100_000, 100, 1
 def read_tm25(file: BinaryIO) -> RaySet:
     """Read rays of an open .tm25ray file; raise ValueError if it is invalid."""
     size = size_of(file)
-    header = np.frombuffer(_bytes(file, HEADER.itemsize, Said("its header")), HEADER)[0]
+    header = np.frombuffer(_bytes(file, HEADER.itemsize, Message("its header")), HEADER)[0]
     if header["magic"] != b"TM25":
-        raise ValueError(Said("it does not begin with TM25"))
+        raise ValueError(Message("it does not begin with TM25"))
     if header["version"] != VERSION:
         raise ValueError(
-            Said(
+            Message(
                 "it is of version {found}; {known} is known", found=header["version"], known=VERSION
             )
         )
@@ -64,7 +64,7 @@ def read_tm25(file: BinaryIO) -> RaySet:
     if rays * width * 4 != left:
         left = max(left, 0)
         raise ValueError(
-            Said(
+            Message(
                 "its header says {rays} rays of {width} numbers, and the {left} bytes behind it "
                 "are {found:.10g} of them",
                 rays=rays,
@@ -81,7 +81,7 @@ def _columns(header: np.void) -> tuple[Columns, int]:
     if not np.isin(flags, (0, 1)).all() or not flags[:2].all():
         found = flags.tolist()
         raise ValueError(
-            Said("the flags of its columns are {found}; 1, 1 and then 0 or 1", found=found)
+            Message("the flags of its columns are {found}; 1, 1 and then 0 or 1", found=found)
         )
     at, width = {}, 6
     for name, flag in zip(FLAGGED, flags[2:], strict=True):
@@ -97,20 +97,20 @@ def _columns(header: np.void) -> tuple[Columns, int]:
 def _spectra(file: BinaryIO, number: int) -> Iterator[Floats]:
     if not 0 <= number <= _MOST_SPECTRA:
         raise ValueError(
-            Said("its header says {n} spectra; from 0 to {most}", n=number, most=_MOST_SPECTRA)
+            Message("its header says {n} spectra; from 0 to {most}", n=number, most=_MOST_SPECTRA)
         )
     taken = 0
     for _ in range(number):
-        points = int(np.frombuffer(_bytes(file, 4, Said("its spectra")), "<i4")[0])
+        points = int(np.frombuffer(_bytes(file, 4, Message("its spectra")), "<i4")[0])
         if not 0 < points <= _MOST_POINTS:
             raise ValueError(
-                Said(
+                Message(
                     "one of its spectra has {n} points; from 1 to {most}",
                     n=points,
                     most=_MOST_POINTS,
                 )
             )
-        content = _bytes(file, 8 * points, Said("its spectra"))
+        content = _bytes(file, 8 * points, Message("its spectra"))
         yield np.frombuffer(content, "<f4").reshape(points, 2).astype(np.float32)
         taken += 4 + 8 * points
     _skip(file, -taken % 32)
@@ -121,7 +121,7 @@ def _count(header: np.void, name: str, most: int) -> int:
     if not 0 <= value <= most:
         name = name.replace("_", " ")
         raise ValueError(
-            Said(
+            Message(
                 'its header says {value} for "{name}"; from 0 to {most}',
                 value=value,
                 name=name,
@@ -135,8 +135,8 @@ def _skip(file: BinaryIO, length: int) -> None:
     file.seek(length, 1)
 
 
-def _bytes(file: BinaryIO, length: int, part: Said) -> bytes:
+def _bytes(file: BinaryIO, length: int, part: Message) -> bytes:
     content = file.read(length)
     if len(content) < length:
-        raise ValueError(Said("it is cut off within {part}", part=part))
+        raise ValueError(Message("it is cut off within {part}", part=part))
     return content

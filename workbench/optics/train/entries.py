@@ -8,6 +8,7 @@ import torch
 
 from workbench.arrays import AnyArray, Array
 from workbench.geometry.frames import Frame
+from workbench.messages import Message
 from workbench.optics.kernels import kind_of
 from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.intersection import order_of
@@ -32,7 +33,6 @@ from workbench.optics.train.incident import (
     sample_lines,
 )
 from workbench.optics.train.numbers import FirstFace, Light
-from workbench.said import Said
 
 # An interruption of the order of drawn rays costs about as much as sorting so many rays.
 _INTERRUPTION = 2
@@ -153,14 +153,14 @@ class _Sampled(Entry):
         some, count = len(self._train.origins.flux), self._count
         if self._train.origins.infinite:
             one, more = (
-                Said("1 direction of light"),
-                Said("{count} directions of light", count=count),
+                Message("1 direction of light"),
+                Message("{count} directions of light", count=count),
             )
         else:
-            one, more = Said("1 point of light"), Said("{count} points of light", count=count)
+            one, more = Message("1 point of light"), Message("{count} points of light", count=count)
         notes = [more if count > 1 else one, self._train.note, *self._halves.notes]
         if some < count:
-            notes.append(Said("mirror symmetry: {some} of them are traced", some=some))
+            notes.append(Message("mirror symmetry: {some} of them are traced", some=some))
         return notes
 
     @property
@@ -192,7 +192,7 @@ class SampledFace(_Sampled):
         """See `Entry`."""
         if self.even:
             return [
-                Said("collimated light: entrance refraction and intersection left out"),
+                Message("collimated light: entrance refraction and intersection left out"),
                 *self._halves.notes,
             ]
         return super().notes

@@ -11,6 +11,7 @@ import numpy as np
 import torch
 
 from workbench.arrays import AnyArray, Array
+from workbench.messages import Message
 from workbench.optics.glass import FlatGlass
 from workbench.optics.glass_face import Glass
 from workbench.optics.interfaces import TransmittanceLaw
@@ -36,7 +37,6 @@ from workbench.optics.train.numbers import (
     SampleLine,
     Sky,
 )
-from workbench.said import Said
 
 # Origins nearer to each other's mirror image than this part of their extent count as a pair.
 _SAME = 1e-9
@@ -67,8 +67,8 @@ class Halves(NamedTuple):
         if not any(self.mirrored):
             return []
         if all(self.mirrored):
-            return [Said("mirror symmetry: a quarter of the rays")]
-        return [Said("mirror symmetry: half of the rays")]
+            return [Message("mirror symmetry: a quarter of the rays")]
+        return [Message("mirror symmetry: half of the rays")]
 
     def first(self, values: Array, axis: int) -> Array:
         """What there is for all rays along an axis, for those that are traced."""

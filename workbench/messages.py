@@ -4,15 +4,15 @@ from collections.abc import Mapping
 from typing import Any, Self
 
 
-class Said(str):
+class Message(str):
     """English text that keeps its words and values, so that the window can translate it.
 
     Examples
     --------
-    >>> said = Said("The {optic} turns it by {most:.0f}° at most.", optic="lens", most=48.2)
-    >>> said
+    >>> message = Message("The {optic} turns it by {most:.0f}° at most.", optic="lens", most=48.2)
+    >>> message
     'The lens turns it by 48° at most.'
-    >>> said.words
+    >>> message.words
     'The {optic} turns it by {most:.0f}° at most.'
     """
 
