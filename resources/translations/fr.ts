@@ -8017,7 +8017,7 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         <message>
             <location filename="../../workbench/design/limits.py" />
             <source>{field}: {reason}</source>
-            <translation>{field} : {said}</translation>
+            <translation>{field} : {reason}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
