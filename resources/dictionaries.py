@@ -33,7 +33,7 @@ from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
 from workbench.scene import FarField, Lens, Mirror, Part, Scene, Screen, Unit
 from workbench.scene.fields import BOUNDS, LeftOut
-from workbench.scene.kinds import Kinds, summary_of, title_of
+from workbench.scene.part import Kinds, summary_of, title_of
 
 CONTEXT = "workbench"
 OPTICS, RECEIVERS = (Lens, Mirror), (Screen, FarField)

@@ -6,7 +6,7 @@ from pydantic.fields import FieldInfo
 
 from workbench.scene import Part, Scene
 from workbench.scene.fields import FieldDescription
-from workbench.scene.kinds import summary_of, title_of
+from workbench.scene.part import summary_of, title_of
 
 _HEAD = """# Every field of a scene
 

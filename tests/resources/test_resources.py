@@ -10,8 +10,8 @@ from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
 from workbench.files.session import open_design
 from workbench.scene import Scene
+from workbench.scene.image import as_viewed
 from workbench.scene.paths import with_values
-from workbench.scene.viewing import as_viewed
 from workbench.targets import load_target
 
 ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]

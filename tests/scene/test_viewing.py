@@ -11,7 +11,7 @@ from workbench.analysis.validation import validate
 from workbench.design.task import begin, with_task
 from workbench.design.transport import transport_start
 from workbench.scene import Lens, Scene
-from workbench.scene.viewing import as_viewed, pixel_side, side_in_words, viewed_from
+from workbench.scene.image import as_viewed, pixel_side, side_in_words, viewed_from
 from workbench.targets import load_target
 
 F = np.array(

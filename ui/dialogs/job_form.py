@@ -16,7 +16,7 @@ from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
 from workbench.scene import Finish, ImageTarget
-from workbench.scene.kinds import summary_of, title_of
+from workbench.scene.part import summary_of, title_of
 
 # What is done to pictures can be chosen later, in the window.
 _LATER = {*Finish.model_fields, "tone", "turn", "crop"} - {"viewed_from"}

@@ -13,7 +13,7 @@ from ui.panels.images import Thumbnail
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import capitalised, tr
-from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
+from workbench.scene.image import as_viewed, side_in_words, viewed_from
 
 if TYPE_CHECKING:
     from workbench.files.session import Session

@@ -27,7 +27,7 @@ from ui.panels.scene import light_files
 from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.jobs import JOBS, side_view
-from workbench.scene.kinds import summary_of, title_of
+from workbench.scene.part import summary_of, title_of
 
 if TYPE_CHECKING:
     from workbench.files.session import Session

@@ -26,7 +26,7 @@ from workbench.scene import (
     PlacedFace,
     Scene,
 )
-from workbench.scene.kinds import title_of
+from workbench.scene.part import title_of
 from workbench.scene.paths import value_at
 
 _KINDS: tuple[type[AnyElement], ...] = (Lens, Mirror, Diffuser)

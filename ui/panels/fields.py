@@ -16,7 +16,7 @@ from ui.widgets import theme
 from ui.widgets.controls import filled
 from ui.words import in_sentence, tr
 from workbench.scene import AutoNet, Element, Measure, Part
-from workbench.scene.auto_net import AUTO
+from workbench.scene.fields import AUTO
 from workbench.scene.paths import value_at
 
 Changes = dict[str, object]

@@ -19,8 +19,8 @@ from workbench.arrays import Array
 from workbench.design.task import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish, Image, Scene
-from workbench.scene.kinds import title_of
-from workbench.scene.viewing import as_viewed
+from workbench.scene.image import as_viewed
+from workbench.scene.part import title_of
 from workbench.targets.colour import SRGB
 
 _ENDINGS = (

@@ -7,7 +7,7 @@ from ui.words import in_sentence, tr
 from workbench.files.session import Session
 from workbench.powers import written
 from workbench.scene import AnyRegion, FieldDescription, Kinds, RectangleRegion, Scene
-from workbench.scene.kinds import title_of
+from workbench.scene.part import title_of
 from workbench.units import sized
 
 

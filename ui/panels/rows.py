@@ -23,7 +23,7 @@ from ui.panels.fields import (
 from ui.words import in_sentence, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 from workbench.scene.fields import Fallback, ForMethod, LeftOut
-from workbench.scene.kinds import summary_of, title_of
+from workbench.scene.part import summary_of, title_of
 from workbench.scene.paths import value_at
 
 Make = Callable[[FieldDescription, str], list[Row]]

@@ -14,7 +14,7 @@ from workbench.design.parametrisation import memory_bytes, parameter_count
 from workbench.files.session import Session
 from workbench.process import as_bytes
 from workbench.scene import FieldDescription, Stage
-from workbench.scene.kinds import title_of
+from workbench.scene.part import title_of
 
 
 class RunPanel(PartPanel):

@@ -20,7 +20,7 @@ from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
-from workbench.scene.viewing import inverted, pixel_side, side_in_words
+from workbench.scene.image import inverted, pixel_side, side_in_words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -32,7 +32,7 @@ from ui.words import tr
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from ui.window.workspace import EarlyParts
-    from workbench.scene.region import Region
+    from workbench.scene.receiver import Region
 
 
 FOLLOW = "run/follow"

@@ -18,7 +18,7 @@ from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
 from workbench.scene import ConicFace, Element, Lens, Mirror, Scene, Screen
-from workbench.scene.kinds import row_of
+from workbench.scene.part import row_of
 
 Indices = npt.NDArray[np.uint32]
 Shapes = dict[str, Any]

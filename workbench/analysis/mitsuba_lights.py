@@ -21,8 +21,8 @@ from workbench.scene import (
     RayFileSource,
     Source,
 )
-from workbench.scene.kinds import row_of
-from workbench.scene.points import AnySource
+from workbench.scene.part import row_of
+from workbench.scene.source import AnySource
 
 # In half-widths of the lens: how far before it parallel light starts.
 _BEFORE = 0.1

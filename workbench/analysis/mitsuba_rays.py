@@ -28,7 +28,7 @@ from workbench.scene import (
     RayFileSource,
     Source,
 )
-from workbench.scene.kinds import row_of
+from workbench.scene.part import row_of
 
 # Most triangles: single precision still tells so many apart.
 _MOST = 1 << 19

@@ -22,7 +22,7 @@ from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.messages import Message
 from workbench.scene import Element, Lens, Scene, SplineFace
-from workbench.scene.material import denser
+from workbench.scene.lens import denser
 from workbench.scene.turning import tilt_of, turned
 
 

@@ -20,8 +20,8 @@ from workbench.messages import Message
 from workbench.optics.plan import device_of
 from workbench.optics.sources import emitter_of
 from workbench.scene import AutoNet, Scene
-from workbench.scene.stages import refused_in_stage
-from workbench.scene.viewing import pixel_side
+from workbench.scene.image import pixel_side
+from workbench.scene.run import refused_in_stage
 
 # Places of the optic along each axis at which its source has to shine somewhere.
 _LOOKED_AT = 65

@@ -18,7 +18,7 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, nets_of
 from workbench.messages import Message
 from workbench.scene import Scene, Unit
-from workbench.scene.faces import heights_file
+from workbench.scene.spline_face import heights_file
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""

@@ -14,8 +14,8 @@ from workbench.measured.lamps import check_file
 from workbench.messages import Message
 from workbench.reading import opened
 from workbench.scene import DrawnTarget, Scene
-from workbench.scene.stages import refused_in_stage
-from workbench.scene.viewing import drawing
+from workbench.scene.image import drawing
+from workbench.scene.run import refused_in_stage
 
 LARGEST_PICTURE = 16 << 20
 """Most bytes of an image file that a design keeps."""

@@ -8,7 +8,7 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Element, PlacedFace
-from workbench.scene.faces import SplineFace
+from workbench.scene.spline_face import SplineFace
 
 
 def face_points(

@@ -1,6 +1,6 @@
 """Outlines of an element within its bounding rectangle.
 
-A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.optic`.
+A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.element`.
 """
 
 from collections.abc import Callable, Mapping

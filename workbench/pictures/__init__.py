@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
-from workbench.scene.viewing import pixel_side, side_in_words
+from workbench.scene.image import pixel_side, side_in_words
 from workbench.system_libraries import keep_shaders_in_memory
 
 _SURFACE_SAMPLES = (129, 129)

@@ -4,7 +4,7 @@ from workbench.powers import written
 from workbench.report.content import Table
 from workbench.report.scene_rows import field_words
 from workbench.scene import Element, Face, Part, Scene
-from workbench.scene.kinds import title_of
+from workbench.scene.part import title_of
 
 _HEADER = ("Element", "Kind", "Material", "Position", "Tilt", "Thickness", "Half width", "Faces")
 # Fields of a face that tell its shape, where it has them.

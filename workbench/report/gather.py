@@ -39,7 +39,7 @@ from workbench.report.figures import (
 )
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Element, Scene
-from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
+from workbench.scene.image import pixel_side, side_in_words, viewed_from
 
 _SAMPLES = 257  # samples of maps along the longer side of the lens
 # Inches: height of a row of two panels without the panels, width of a panel, tallest row.

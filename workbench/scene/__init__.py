@@ -4,46 +4,36 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
-from workbench.scene.area_source import AreaSource
-from workbench.scene.auto_net import AutoNet
-from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
-from workbench.scene.diffuser import Diffuser, GaussianScatter, LambertianScatter
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
-from workbench.scene.emission import ExactMethod, MeshMethod
-from workbench.scene.faces import (
-    LARGEST_NET,
-    Base,
-    ConicFace,
-    Face,
-    FlatBase,
-    PlacedBase,
-    PlaneFace,
-    SphereBase,
-    SplineFace,
-)
-from workbench.scene.far_field import FarField
-from workbench.scene.fields import LENGTH, FieldDescription, Measure
-from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
-from workbench.scene.grid_source import GridSource
-from workbench.scene.image import DrawnTarget, Image, Receiver, WantedImage
-from workbench.scene.kinds import Kinds
-from workbench.scene.lens import Lens
-from workbench.scene.material import CustomIndex
+from workbench.scene.faces import LARGEST_NET, ConicFace, PlaneFace
+from workbench.scene.fields import LENGTH, AutoNet, FieldDescription, Measure
+from workbench.scene.image import DrawnTarget, Image, WantedImage
+from workbench.scene.lens import CustomIndex, Lens
 from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
-from workbench.scene.mirror import Mirror
-from workbench.scene.part import NonNegative, Part, Positive
-from workbench.scene.points import LightOfPoints, PointSource
-from workbench.scene.receiver import AnyReceiver
-from workbench.scene.region import (
+from workbench.scene.mirror_diffuser import Diffuser, GaussianScatter, LambertianScatter, Mirror
+from workbench.scene.part import Kinds, NonNegative, Part, Positive
+from workbench.scene.points import ExactMethod, LightOfPoints, MeshMethod, PointSource
+from workbench.scene.receiver import (
+    AnyReceiver,
     AnyRegion,
     EllipseRegion,
     PolygonRegion,
     RectangleRegion,
     Region,
 )
-from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
-from workbench.scene.screen import Screen
-from workbench.scene.source import Source
+from workbench.scene.receivers import FarField, Receiver, Screen
+from workbench.scene.run import (
+    AutoRun,
+    BoxFilter,
+    Filter,
+    GaussianFilter,
+    PaperRun,
+    Run,
+    RunSettings,
+    Stage,
+)
+from workbench.scene.sources import CollimatedSource, GaussianProfile, Source, UniformProfile
+from workbench.scene.spline_face import Base, Face, FlatBase, PlacedBase, SphereBase, SplineFace
 from workbench.scene.target import (
     BallTarget,
     Finish,
@@ -56,6 +46,7 @@ from workbench.scene.target import (
     TopHatTarget,
 )
 from workbench.scene.task import AnyElement, Scene, Unit
+from workbench.scene.wide_sources import AreaSource, GridSource
 
 __all__ = [
     "DEFAULT_WAVELENGTH",

@@ -14,11 +14,10 @@ from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.auto_net import AutoNet
-from workbench.scene.faces import Face, PlacedBase, SplineFace, check_net
-from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
+from workbench.scene.fields import ANGLE, LENGTH, PLACE, AutoNet, about
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import Part, Positive
+from workbench.scene.spline_face import Face, PlacedBase, SplineFace, check_net
 from workbench.scene.turning import tilted
 
 Place = tuple[float, float, float]

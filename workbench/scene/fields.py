@@ -12,11 +12,58 @@ from types import NoneType
 from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
 
 import annotated_types
-from pydantic import BaseModel, Field, GetJsonSchemaHandler
+from pydantic import BaseModel, Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
-from pydantic_core import CoreSchema
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from workbench.scene.auto_net import AutoNet
+AUTO = "auto"
+"""What stands in a file."""
+
+
+@dataclass(frozen=True)
+class AutoNet:
+    """The program chooses how many control points there are."""
+
+    # What it has chosen for a task; none before, and none in files of scenes.
+    shape: tuple[int, int] | None = None
+
+    def __str__(self) -> str:
+        return AUTO
+
+
+class NumbersOrAuto:
+    """Mark of a field that holds numbers or `AutoNet`; a file says ``"auto"`` for that."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        # A validator before it has made a list of the array of a file.
+        numbers = {**handler.generate_schema(get_args(source)[0]), "strict": False}
+        return core_schema.no_info_wrap_validator_function(
+            _read,
+            numbers,
+            serialization=core_schema.wrap_serializer_function_ser_schema(_written, schema=numbers),
+        )
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"anyOf": [handler(schema), {"const": AUTO}]}
+
+
+def _read(value: Any, numbers: core_schema.ValidatorFunctionWrapHandler) -> Any:
+    if isinstance(value, AutoNet):
+        return value
+    if not isinstance(value, str):
+        return numbers(value)
+    if value != AUTO:
+        raise PydanticCustomError("auto_net", "two whole numbers or 'auto' are needed")
+    return AutoNet()
+
+
+def _written(value: Any, numbers: core_schema.SerializerFunctionWrapHandler) -> Any:
+    return AUTO if isinstance(value, AutoNet) else numbers(value)
+
 
 _FAR = 1e9  # a limit that nobody meets
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -109,9 +156,7 @@ class NamesFile:
 
 
 FILE = NamesFile()
-
 Mark = TypeVar("Mark")
-
 
 BOUNDS = {
     (False, False): "From {} to {}.",

@@ -4,11 +4,20 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr
+from pydantic import (
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    ValidationError,
+    ValidatorFunctionWrapHandler,
+    WrapValidator,
+)
+from pydantic_core import PydanticCustomError
 
 from workbench import materials
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.materials import refractive_index
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import (
@@ -22,20 +31,61 @@ from workbench.scene.element import (
     PlacedFace,
     relative,
 )
-from workbench.scene.faces import ConicFace, Face
+from workbench.scene.faces import ConicFace
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
-from workbench.scene.material import CustomIndex, Material
-from workbench.scene.part import NonNegative, Positive
+from workbench.scene.part import NonNegative, Part, Positive
+from workbench.scene.spline_face import Face
 
+
+class CustomIndex(Part):
+    """A refractive index that is the same at all wavelengths."""
+
+    model_config = ConfigDict(title="Custom index")
+
+    index: Annotated[
+        float, about("Index", "Refractive index at the wavelength of the light.", gt=1)
+    ]
+    _off: tuple[str, float] | None = PrivateAttr(default=None)
+
+    def at(self, wavelength_um: float) -> float:
+        """Refractive index at a wavelength."""
+        if self._off is None:
+            return self.index
+        name, off = self._off
+        return refractive_index(name, wavelength_um) + off
+
+
+def denser(material: str | CustomIndex, index: float, off: float) -> CustomIndex:
+    """Return a material whose index, which is given, is off; its dispersion stays.
+
+    No scene file has it: there it is its index alone.
+    """
+    made = CustomIndex(index=index + off)
+    if isinstance(material, str):
+        made._off = material, off
+    return made
+
+
+def _name_or_index(value: Any, read: ValidatorFunctionWrapHandler) -> Any:
+    # One error, not one for each member of the union.
+    try:
+        return read(value)
+    except ValidationError:
+        raise PydanticCustomError("material", "neither a name nor an index above 1") from None
+
+
+Material = Annotated[str | CustomIndex, WrapValidator(_name_or_index)]
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
+
 # An automatic entrance face may rise by this part of the lens's half-width, and for several images
 # by half of the glass too: light of an image at two distances is moved between the faces alone. In
 # 100 mm of glass 100 mm wide they rise by 36 mm. The example *Photograph at two distances* with an
 # automatic range is 0.8 % off, and 5.8 and 5.3 % with a quarter of the half-width. For one image a
 # wide range gains nothing, and light of near sources leaves by the side before a face far in it.
 _RISE = 0.25
+
 # And by this part of the way from a source to it: what it may rise is glass that the exit face
 # stands on, in which light of near sources spreads. An LED 10 mm before a lens 120 mm wide, error
 # and light on the screen:
@@ -47,12 +97,15 @@ _RISE = 0.25
 # | 6 mm | 8.8 % | 68 % |
 # | 15 mm, a quarter of the half-width | 13.7 % | 49 % |
 _NEAR_RISE = 0.5
+
 # A designed exit face seldom rises farther above its base than so many half-widths of the lens.
 # Stock that reaches far to the screen does not tell where the exit face will be: a first lens in
 # stock of 500 mm was 34 % off, and is 17 % off.
 _RISES = 1.0
+
 # A receiver that is infinitely far counts as so many half-widths of the lens away.
 _FAR = 8.0
+
 # An automatic thickness takes at most so many half-widths: where it goes up to a screen that is 1e9
 # away, the undesigned lens was 250,000 thick, and its heights had too few digits for its shape.
 _THICKEST = 1000.0

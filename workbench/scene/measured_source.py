@@ -10,10 +10,11 @@ from pydantic import ConfigDict, Field, PrivateAttr
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene.content import Content
 from workbench.scene.element import Element, Place
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, about
-from workbench.scene.points import MOST_RAYS, AnySource, PointSource, check_place, in_front
+from workbench.scene.part import Content
+from workbench.scene.points import PointSource
+from workbench.scene.source import MOST_RAYS, AnySource, check_place, in_front
 from workbench.scene.turning import proper, tilt_of, tilted
 
 if TYPE_CHECKING:

@@ -12,17 +12,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene.axis import outgoing
-from workbench.scene.collimated_source import CollimatedSource
 from workbench.scene.element import Element
 from workbench.scene.faces import ConicFace
-from workbench.scene.far_field import FarField
 from workbench.scene.lens import Lens
-from workbench.scene.mirror import Mirror
+from workbench.scene.mirror_diffuser import Mirror
 from workbench.scene.points import PointSource
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.screen import Screen
-from workbench.scene.source import Source
+from workbench.scene.receivers import FarField, Screen
+from workbench.scene.sources import CollimatedSource, Source
+from workbench.scene.train import outgoing
 from workbench.scene.turning import tilt_of
 
 if TYPE_CHECKING:

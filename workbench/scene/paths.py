@@ -13,12 +13,11 @@ from typing import Any
 
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene.auto_net import AUTO
+from workbench.scene.fields import AUTO
 from workbench.scene.part import Part
 from workbench.scene.task import Scene
 
 Step = str | int
-
 _STEP = re.compile(r"([A-Za-z0-9_-]+)|\[(\d+)\]")
 _PATH = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+|\[\d+\])*")
 _SIDES = {"front": 0, "back": 1}

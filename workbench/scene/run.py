@@ -1,24 +1,78 @@
-"""How the lens is searched for."""
+"""How the lens is searched for: method, stages, and how rays become an image."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import ConfigDict
+from pydantic import AfterValidator, ConfigDict, Field
+from pydantic_core import PydanticCustomError
 
+from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.scene.faces import NetSize
-from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
-from workbench.scene.filter import Filter
-from workbench.scene.kinds import Kinds
-from workbench.scene.part import Part, Positive
-from workbench.scene.source import Source
+from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, Measure, about
+from workbench.scene.part import Kinds, Part, Positive
+from workbench.scene.sources import Source
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
+
+def _odd(size: int) -> int:
+    if size % 2 == 0:
+        raise PydanticCustomError("even", "is even")
+    return size
+
+
+FilterSize = Annotated[int, Field(ge=1, le=99), AfterValidator(_odd)]
+
+
+class BoxFilter(Part):
+    """Every ray counts fully in the pixel that it hits."""
+
+    model_config = ConfigDict(title="Box")
+
+    kind: Literal["box"] = "box"
+    # As a Gaussian that is no wider than a pixel.
+    size: ClassVar[tuple[int, int]] = (1, 1)
+    alpha: ClassVar[float] = 0.0
+    smooth: ClassVar[bool] = False
+    """Whether the image changes as a ray moves within a pixel, so that it has a derivative."""
+
+
+class GaussianFilter(Part):
+    """Light falls off over some pixels, so that a design feels where in a pixel a ray lands."""
+
+    model_config = ConfigDict(title="Gaussian")
+
+    smooth: ClassVar[bool] = True
+
+    kind: Literal["gaussian"] = "gaussian"
+    size: Annotated[
+        tuple[FilterSize, FilterSize],
+        Measure("px", "pixels"),
+        about("Size", "Pixels along x and y that one ray reaches; odd numbers."),
+    ] = (3, 3)
+    alpha: Annotated[
+        float,
+        Measure("px⁻²", "per pixel²"),
+        about(
+            "Alpha",
+            "How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.",
+            ge=1e-6,
+            le=1e6,
+        ),
+    ] = 1.0
+
+
+Filter = Annotated[GaussianFilter | BoxFilter, Kinds("kind", default="gaussian")]
 _AUTO, _PAPER = "Automatic", "As in the paper"
 _RATE = "Step of the optimiser. Too large and the loss jumps, too small and it creeps."
+
 # Steps of Adam after which top hats of 24² to 64² control points were best, from all starts: the
 # more links a neuron has, the farther one step of all of them carries it.
 LEARNING_RATES = {"none": 3e-3, "sparse": 1e-3, "dense": 1e-4}
+
 # Control points along each axis that suit it: a dense network grows with the square of their
 # number.
 _NETS = {"none": 64, "sparse": 64, "dense": 32}
@@ -215,3 +269,74 @@ class PaperRun(RunSettings):
 
 
 Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method")]
+_MOST = 100  # each is checked as a scene of its own
+
+
+def stage_scenes(scene: "Scene") -> tuple["Scene", ...]:
+    """The run of a scene as scenes without stages; see `Scene.stage_scenes`."""
+    stages = scene.run.stages
+    if not stages:
+        return (scene,)
+    if len(stages) > _MOST:
+        many = Message("{count} are given; at most {most}", count=len(stages), most=_MOST)
+        raise Refused("run.stages", many)
+    left = scene.run.iterations - sum(stage.iterations for stage in stages)
+    if left < 1:
+        raise Refused(
+            "run.stages",
+            Message(
+                "they leave none of the {count} iterations for the scene itself; more than "
+                "{least} in all are needed",
+                count=scene.run.iterations,
+                least=scene.run.iterations - left,
+            ),
+        )
+    parts = []
+    for number, stage in enumerate(stages):
+        with refused_in_stage(number, len(stages), scene):
+            parts.append(_in_stage(scene, stage))
+    last = scene.run.model_copy(update={"stages": (), "iterations": left})
+    return (*parts, scene.model_copy(update={"run": last}))
+
+
+@contextmanager
+def refused_in_stage(number: int, count: int, scene: "Scene") -> Iterator[None]:
+    """Give refusals of a stage's scene their paths from the whole scene.
+
+    `number`: number of the stage, an index of `Scene.stage_scenes`; `count`: how many stages there
+    are; the scene behind them is the whole one; `scene`: the whole one.
+    """
+    try:
+        yield
+    except Refused as refused:
+        if number == count:
+            raise
+        path = refused.path.removeprefix(f"{scene.face_path()}.").removeprefix("run.")
+        raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
+
+
+def _in_stage(scene: "Scene", stage: Stage) -> "Scene":
+    """The scene with what a stage changes."""
+    optic = scene.optic
+    if stage.control_points is not None:
+        scene = scene.with_optic(optic.shaped(control_points=stage.control_points))
+    return scene.altered(
+        source=stage.source or scene.source,
+        filter=stage.filter or scene.filter,
+        run=_run_in_stage(scene.run, stage),
+    )
+
+
+def _run_in_stage(run: Run, stage: Stage) -> Run:
+    """Settings of a run in one of its stages."""
+    changes = {name: getattr(run, name) for name in RunSettings.model_fields}
+    changes |= {"iterations": stage.iterations, "stages": ()}
+    if stage.method not in (None, run.method):
+        # Settings of the one method mean nothing to the other.
+        run = PaperRun() if stage.method == "paper" else AutoRun()
+    if stage.learning_rate is not None:
+        if "learning_rate" not in type(run).model_fields:
+            unknown = Message("unknown field; the automatic method has none")
+            raise Refused("run.learning_rate", unknown)
+        changes["learning_rate"] = stage.learning_rate
+    return run.model_copy(update=changes)

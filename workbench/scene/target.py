@@ -15,8 +15,7 @@ from workbench.scene.fields import (
     Measure,
     about,
 )
-from workbench.scene.kinds import Kinds, title_of
-from workbench.scene.part import Part
+from workbench.scene.part import Kinds, Part, title_of
 
 Side = Literal["front", "back"]
 """Of a receiver: the one from which the light comes, or the one behind it."""

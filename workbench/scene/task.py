@@ -12,33 +12,29 @@ from workbench.errors import Refused, refused_within
 from workbench.messages import Message
 from workbench.refusals import refusal
 from workbench.scene import limits, versions
-from workbench.scene.axis import incoming, leaving
-from workbench.scene.diffuser import Diffuser
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
-from workbench.scene.faces import SplineFace
 from workbench.scene.fields import about
-from workbench.scene.filter import Filter, GaussianFilter
-from workbench.scene.image import (
-    MOST_IMAGES,
-    Image,
-    Receiver,
-    WantedImage,
-    images_like,
-    wanted_images,
-)
-from workbench.scene.kinds import Kinds
+from workbench.scene.image import MOST_IMAGES, Image, WantedImage, images_like, wanted_images
 from workbench.scene.lens import Lens
-from workbench.scene.mirror import Mirror
+from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
-from workbench.scene.part import Part
-from workbench.scene.receiver import AnyReceiver
-from workbench.scene.region import Region, check_regions
-from workbench.scene.run import AutoRun, Run
-from workbench.scene.source import Source
-from workbench.scene.spectrum import Line, check_spectrum, lines_of
-from workbench.scene.stages import stage_scenes
+from workbench.scene.part import Kinds, Part
+from workbench.scene.receiver import AnyReceiver, Region, check_regions
+from workbench.scene.receivers import Receiver
+from workbench.scene.run import AutoRun, Filter, GaussianFilter, Run, stage_scenes
+from workbench.scene.sources import Source
+from workbench.scene.spline_face import SplineFace
 from workbench.scene.target import Target
-from workbench.scene.train_checks import check_elements, check_receivers, too_many
+from workbench.scene.train import (
+    Line,
+    check_elements,
+    check_receivers,
+    check_spectrum,
+    incoming,
+    leaving,
+    lines_of,
+    too_many,
+)
 
 Unit = Literal["mm", "cm", "m", "inch"]
 AnyElement = Annotated[Lens | Mirror | Diffuser, Kinds("kind")]
@@ -245,7 +241,7 @@ class Scene(Part):
 
     @property
     def ways(self) -> tuple[Array, ...]:
-        """Unit vectors (3,) along which light comes to the elements; see `axis.incoming`."""
+        """Unit vectors (3,) along which light comes to the elements; see `train.incoming`."""
         return incoming(self.source, self.elements)
 
     def onwards(self, receiver: AnyReceiver) -> int:

@@ -10,7 +10,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene import ImageTarget, Scene
-from workbench.scene.viewing import as_viewed
+from workbench.scene.image import as_viewed
 from workbench.targets.colour import TONES, Tone
 from workbench.targets.image import decode_picture, read_picture
 from workbench.targets.picture import Picture

@@ -13,7 +13,7 @@ from ui.files.actions import Answer
 from ui.panels.edits import Edit
 from workbench.jobs import JOBS
 from workbench.jobs.lenses import SunPlate, Torch
-from workbench.scene.kinds import title_of
+from workbench.scene.part import title_of
 
 
 @pytest.fixture

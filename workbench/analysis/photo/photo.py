@@ -39,7 +39,7 @@ from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Progress, Steps, finished, no_progress, of_equal, within
 from workbench.scene import CustomIndex, Lens, Scene
-from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
+from workbench.scene.image import as_viewed, side_in_words, viewed_from
 
 _ACCURACY = 0.02  # relative change by halved cells, which is invisible in 256 steps
 _EACH, _MOST_RAYS = 256, 1 << 24  # random rays for each pixel, and at most for a wavelength

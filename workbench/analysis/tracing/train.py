@@ -35,8 +35,8 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, ConicFace, Diffuser, Element, Lens, Mirror, Scene
-from workbench.scene.faces import Face
-from workbench.scene.train_checks import check_receivers
+from workbench.scene.spline_face import Face
+from workbench.scene.train import check_receivers
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13

@@ -26,7 +26,7 @@ from workbench.scene import (
     RayFileSource,
     Source,
 )
-from workbench.scene.kinds import row_of
+from workbench.scene.part import row_of
 
 __all__ = ["CollimatedEmitter", "Emitter", "Origins", "PointEmitter", "emitter_of"]
 

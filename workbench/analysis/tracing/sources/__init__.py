@@ -24,7 +24,7 @@ from workbench.scene import (
     RayFileSource,
     Source,
 )
-from workbench.scene.kinds import row_of
+from workbench.scene.part import row_of
 
 
 def _collimated(

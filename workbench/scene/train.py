@@ -1,29 +1,67 @@
-"""Which elements make a train: refusals of those that cannot be computed with together."""
+"""The axis of a train, its lines of light, and refusals of elements that make no train.
+
+The axis is straight from vertex to vertex, and folded at mirrors. It tells from which side light
+comes to elements and receivers.
+"""
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene.axis import leaving, outgoing
-from workbench.scene.diffuser import Diffuser, LambertianScatter
 from workbench.scene.element import Element
 from workbench.scene.lens import Lens
-from workbench.scene.mirror import Mirror
+from workbench.scene.mirror_diffuser import Diffuser, LambertianScatter, Mirror
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.screen import Screen
+from workbench.scene.receivers import Screen
+from workbench.scene.source import MOST_LINES, mean_wavelength
 
 if TYPE_CHECKING:
+    from workbench.scene.sources import Source
     from workbench.scene.task import Scene
+
+
+def incoming(source: "Source", elements: Sequence[Element]) -> tuple[Array, ...]:
+    """Return unit vectors (3,) along which light of a source comes to the elements of a train."""
+    way, last = source.heading, source.place
+    if last is None or elements[0].upright:  # which each source stands before
+        last = elements[0].position
+    found = []
+    for element in elements:
+        step = np.subtract(element.position, last)
+        length = np.linalg.norm(step)
+        way = step / length if length > 0 else way
+        found.append(way)
+        last = element.position
+    return tuple(found)
+
+
+def outgoing(element: Element, way: Array) -> Array:
+    """Return the unit vector (3,) along which light leaves an element that it comes to."""
+    if isinstance(element, Diffuser):
+        return way
+    normal = element.turn[:, 2]
+    return way - 2 * (way @ normal) * normal if isinstance(element, Mirror) else normal
+
+
+def leaving(source: "Source", elements: Sequence[Element], receiver: AnyReceiver) -> Array:
+    """Return a vector (3,) along which light of a train comes to the middle of a receiver."""
+    last = elements[-1]
+    if isinstance(receiver, Screen):
+        return receiver.position - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))
+    return outgoing(last, incoming(source, elements)[-1])
+
 
 _MOST_ELEMENTS = 16
 _ROUNDING = 1e-9
+
 # Cosine below which light goes along a face.
 _GRAZING = 1e-3
+
 # Degrees from the z axis of the scene, from which a far field counts, to light of a train.
 _SIDEWAYS = 60.0
 
@@ -211,3 +249,62 @@ def _check_order(scene: "Scene", number: int, element: Element) -> None:
             by=-onwards * (z + front - least),
         ),
     )
+
+
+class Line(NamedTuple):
+    """One line of the light of a scene."""
+
+    scene: "Scene"  # the scene in light of one wavelength
+    part: float  # the part of the flux that has it; the parts of all lines add up to 1
+
+
+def lines_of(scene: "Scene") -> tuple[Line, ...]:
+    """Return the lines of a scene; those of equal indices in all elements count as one."""
+    spectrum = scene.source.spectrum
+    if spectrum is None:
+        return (Line(scene, 1.0),)
+    alike: dict[tuple[float, ...], list[tuple[float, float]]] = {}
+    for wavelength, part in spectrum:
+        if part:
+            indices = tuple(element.lit(wavelength).index for element in scene.elements)
+            alike.setdefault(indices, []).append((wavelength, part))
+    total = sum(part for _, part in spectrum)
+    lines = []
+    for found in alike.values():
+        source = scene.source.model_copy(
+            update={"wavelength_um": mean_wavelength(found), "spectrum": None}
+        )
+        part = sum(part for _, part in found) / total if len(alike) > 1 else 1.0
+        lines.append(Line(scene.model_copy(update={"source": source}), part))
+    return tuple(lines)
+
+
+def check_spectrum(scene: "Scene") -> None:
+    """Refuse a spectrum that makes no light, or for which a material has no data.
+
+    Raises `Refused` with the path of the field in the scene, the value and what is allowed.
+    """
+    source, spectrum = scene.source, scene.source.spectrum
+    if spectrum is None:
+        return
+    path = "source.spectrum"
+    if source.wavelength_um is not None:
+        both = Message(
+            "given together with a wavelength of {wavelength:g} µm; one of both",
+            wavelength=source.wavelength_um,
+        )
+        raise Refused(path, both)
+    if not 1 <= len(spectrum) <= MOST_LINES:
+        count = Message(
+            "{count} lines are given; 1 to {most}", count=len(spectrum), most=MOST_LINES
+        )
+        raise Refused(path, count)
+    if not any(part for _, part in spectrum):
+        raise Refused(path, Message("all parts of the flux are 0; one above 0"))
+    for number, (wavelength, _) in enumerate(spectrum):
+        for element in scene.elements:
+            try:
+                _ = element.lit(wavelength).index
+            except Refused as refused:
+                if refused.path == "source.wavelength_um":  # else the material is refused later
+                    raise Refused(f"{path}[{number}][0]", refused.reason) from None

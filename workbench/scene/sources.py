@@ -1,4 +1,4 @@
-"""Light from infinitely far: parallel, or from a disc of directions as that of the sun."""
+"""Collimated light, and `Source`, the list of all kinds of sources."""
 
 import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
@@ -12,18 +12,22 @@ from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
-from workbench.scene.kinds import Kinds
-from workbench.scene.part import Part, Positive
-from workbench.scene.points import AnySource, disc
+from workbench.scene.measured_source import PhotometricSource, RayFileSource
+from workbench.scene.part import Kinds, Part, Positive
+from workbench.scene.points import PointSource
 from workbench.scene.receiver import AnyReceiver
+from workbench.scene.source import AnySource, disc
 from workbench.scene.turning import turned
+from workbench.scene.wide_sources import AreaSource, GridSource
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
+
 # Cells of light tell the shape of a beam that is this part of the lens wide, and of wider ones.
 _NARROWEST = 0.01
+
 # Degrees that are rounding.
 _STRAIGHT = 1e-11
 
@@ -216,3 +220,9 @@ class CollimatedSource(AnySource):
             limits.check_lengths(
                 [("source.profile.radius", radius)], optic.half_width, limits.FARTHEST
             )
+
+
+Source = Annotated[
+    CollimatedSource | PointSource | GridSource | PhotometricSource | RayFileSource | AreaSource,
+    Kinds("kind"),
+]
