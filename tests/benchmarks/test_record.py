@@ -5,11 +5,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import torch
 
-from tests.benchmarks import record
+from tests.benchmarks import kernels, record
 from tests.benchmarks.measure import measure
 from tests.benchmarks.scenes import SCENES, write_scene
 from workbench import load
+from workbench.analysis.benchmark.examples import BenchmarkTask
 
 BEFORE: dict[str, Any] = {
     "error": 0.02,
@@ -67,3 +69,11 @@ def test_a_scene_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:
     assert 0 < found["error"] < 0.2
     assert found["efficiency"] == pytest.approx(0.9, abs=1e-3)
     assert min(found["step"], found["memory"]) > 0
+
+
+def test_kernels_are_timed_beside_the_reference() -> None:
+    example = BenchmarkTask.of("flame", changes={"source.rays": 64, "lens.back.control_points": 12})
+    reference, compiled = (kernels.evaluation(example, fused) for fused in (False, True))
+    times = kernels.milliseconds({"reference": reference, "kernels": compiled}, rounds=1)
+    assert list(times) == ["reference", "kernels"] and min(times.values()) > 0
+    torch.testing.assert_close(reference(), compiled(), rtol=1e-3, atol=1e-6)

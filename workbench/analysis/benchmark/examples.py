@@ -11,12 +11,10 @@ import numpy as np
 import resources
 from resources.drawings import photograph
 from workbench.arrays import Array, Mask
-from workbench.design.limits import HeightLimits
 from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.snapshot import History, Result
 from workbench.geometry.faces import NO_LOCKS
-from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.scene.paths import with_values
 from workbench.targets import load_target
@@ -93,21 +91,6 @@ def cloud(size: int) -> Array:
     frequency[0, 0] = np.inf  # no mean
     image = np.fft.irfft2(np.fft.rfft2(noise) / frequency, (size, size))
     return np.asarray((image - image.min()) / np.ptp(image))
-
-
-def wavy(scene: Scene) -> Array:
-    """Return control heights of a lens that bends light everywhere, by a tenth of the screen."""
-    x, y = ControlNet.of(scene.optic).positions
-    r_x, r_y = scene.optic.half_width
-    rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
-    receiver = scene.receiver
-    # A slope s bends light by (n − 1) s.
-    wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.base.height), strict=True)
-    slope = min(0.1 * r / far for r, far in wide) / scene.optic.deflection
-    height = slope * min(r_x, r_y) / (1.5 * np.pi)
-    limits = HeightLimits.of(scene.optic, ControlNet.of(scene.optic))
-    height = min(height, 0.4 * float((limits.upper - limits.lower).min()))
-    return np.asarray(limits.undesigned + height * rise)
 
 
 @dataclass(frozen=True)
