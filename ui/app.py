@@ -64,10 +64,6 @@ def main(arguments: list[str] | None = None) -> int:
     window = windows.open()
     _begin_when_painted(window, lambda: _begin(windows, window, settings, options))
     status = application.exec()
-    if windows.loading:
-        # An import cannot be cut off, and Python's own end in the midst of one may crash.
-        settings.sync()
-        os._exit(status)
     windows.wait()
     unexpected.close()
     signals.close()

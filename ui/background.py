@@ -2,7 +2,7 @@
 
 1. A `Background` uses one thread. Of the requests during its work it executes only the latest.
 2. All signals are emitted in the window's thread; cancelled work emits none.
-3. An error is passed as the exception with its traceback; see `sentence_of`.
+3. An error is emitted as a translated sentence; the traceback of a defect goes to the log.
 """
 
 import gc
@@ -14,7 +14,7 @@ from contextlib import closing
 from functools import partial
 from typing import TypeVar
 
-from PySide6.QtCore import QObject, QThread, QTimerEvent, Signal, Slot
+from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 
 from ui.words import error_text, tr
 from workbench.defects import details, unexpected
@@ -34,14 +34,6 @@ def other_cores() -> int:
 
 LOG = logging.getLogger("freeform-workbench")
 """Gets the traceback of each unexpected error; see `ui.unexpected_errors`."""
-
-
-def sentence_of(error: Exception, work: str) -> str:
-    """Return why some named work failed; a defect's traceback goes to the log."""
-    if isinstance(error, Refused | RunFailed):
-        return error_text(error)
-    LOG.error(details(error))
-    return tr("The {work} failed: {error}").format(work=work, error=unexpected(error))
 
 
 Step = TypeVar("Step")
@@ -113,13 +105,14 @@ class _Thread(QThread):
 class Background(QObject):
     """Executes the latest requested work and emits its result.
 
-    ``finish_first`` lets begun work finish before that of a later request begins; by default a
-    later request cancels it. ``progressed``, ``done`` and ``failed`` are emitted with the request.
+    ``name`` is that of the work in English, translatable. ``finish_first`` lets begun work finish
+    before that of a later request begins; by default a later request cancels it. ``progressed``
+    and ``done`` are emitted with the request.
     """
 
     progressed = Signal(object, object)
     done = Signal(object, object)
-    failed = Signal(object, object)
+    failed = Signal(str)
 
     # From the thread. These are queued: their receivers live in the window's thread.
     _reported = Signal(object, object)
@@ -205,33 +198,37 @@ class Background(QObject):
         self._join()
         if task.wanted and task.error is None:
             self.done.emit(task.request, task.result)
-        elif task.wanted:
-            self.failed.emit(task.request, task.error)
+        elif task.wanted and task.error is not None:
+            self.failed.emit(self._sentence(task.error))
         if self._task is None:  # else a slot has begun other work
             self._begin_next()
 
+    def _sentence(self, error: Exception) -> str:
+        if isinstance(error, Refused | RunFailed):
+            return error_text(error)
+        LOG.error(details(error))
+        work = tr(self._name)
+        return tr("The {work} failed: {error}").format(work=work, error=unexpected(error))
 
-_EVERY_MS = 100
 
+class GarbageCollector(QTimer):
+    """Collects garbage in the window's thread: in others Qt forbids to delete timers and widgets.
 
-class GarbageCollector(QObject):
-    """Collects cyclic garbage between events of the window, at Python's thresholds.
-
-    Python collects in whichever thread allocates. A worker's thread would then delete timers and
-    widgets of the window, which Qt forbids: timers stop, or the program crashes.
+    Left to itself, Python collects in whichever thread allocates.
     """
 
     def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
+        super().__init__(parent, interval=100)
+        self.timeout.connect(self._collect)
         gc.disable()
-        self._timer = self.startTimer(_EVERY_MS)
+        self.start()
 
-    def timerEvent(self, event: QTimerEvent) -> None:
+    def close(self) -> None:
+        self.stop()
+        gc.enable()
+
+    def _collect(self) -> None:
         counts = zip(gc.get_count(), gc.get_threshold(), strict=True)
         full = [generation for generation, (count, most) in enumerate(counts) if count > most]
         if full:
             gc.collect(full[-1])
-
-    def close(self) -> None:
-        self.killTimer(self._timer)
-        gc.enable()

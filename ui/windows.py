@@ -10,11 +10,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from resources import EXAMPLES
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.document.document import Document
 from ui.files.recovery import LeftBehind, Recovery, find_left_behind, offer_left_behind
 from ui.main_window import MainWindow
-from ui.words import tr
+from ui.words import later, tr
 from workbench.files.session import open_design
 
 # All that the views and the runner stand on, without Qt, which is for the window's thread alone.
@@ -29,28 +29,23 @@ class WarmUp(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._background = Background("warm-up", self)
+        self._background = Background(later("start"), self)
         self._background.progressed.connect(self.imported)
-        self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, tr("start")))
-        )
+        self._background.failed.connect(self.failed)
 
     def start(self) -> None:
         self._background.begin(_warm_up)
 
-    @property
-    def under_way(self) -> bool:
-        return self._background.running
-
     def wait(self) -> None:
-        """Wait for the imports; exiting during an import may crash."""
+        """Wait for the present import or compilation: Python may crash if it ends within one."""
         self._background.close()
 
 
 def _warm_up(task: Task) -> None:
     try:
         for module in _SLOW:
-            importlib.import_module(module)
+            if not task.stopped:
+                importlib.import_module(module)
         from workbench.analysis.kernels import compile_all
     finally:
         task.report(None)
@@ -154,11 +149,6 @@ class Windows(QObject):
         for window, recovery in list(self._recoveries.items()):
             recovery.close(leave=True)
             window.discard_and_close()
-
-    @property
-    def loading(self) -> bool:
-        """Whether libraries are being loaded, or kernels compiled."""
-        return self._warm_up.under_way
 
     def wait(self) -> None:
         self._warm_up.wait()

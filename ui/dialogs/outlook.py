@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.panels.editors import Wrapped
 from ui.panels.images import Thumbnail
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
-from ui.words import capitalised, tr
+from ui.words import capitalised, later, tr
 from workbench.scene.image import as_viewed, side_in_words, viewed_from
 
 if TYPE_CHECKING:
@@ -34,12 +34,10 @@ class ProspectFinder(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._background = Background("outlook", self)
+        self._background = Background(later("estimate"), self)
         self._background.progressed.connect(self._pass_on)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, tr("outlook")))
-        )
+        self._background.failed.connect(self.failed)
 
     def look(self, job: "Job") -> None:
         self._background.begin(partial(_find, job))

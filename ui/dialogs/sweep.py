@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.dialogs.sweep_form import SweepCurve, SweepForm
 from ui.document.document import Document
 from ui.widgets.controls import filled
@@ -108,7 +108,7 @@ class SweepDialog(QDialog):
             buttons,
         )
         self.resize(_SIZE.boundedTo(window.size()))
-        self._background = Background("sweep", self)
+        self._background = Background(later("sweep"), self)
         self._background.progressed.connect(self._take)
         self._background.done.connect(lambda *_: self._offer())
         self._background.failed.connect(self._give_up)
@@ -225,9 +225,9 @@ class SweepDialog(QDialog):
             item.setToolTip(text)
             self.table.setItem(number, column, item)
 
-    def _give_up(self, _: Sweep, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         self._offer()
-        self.status.setText(f"\N{WARNING SIGN} {sentence_of(error, tr('sweep'))}")
+        self.status.setText(f"\N{WARNING SIGN} {sentence}")
 
     def _chosen(self) -> Path | None:
         row = self._rows.get(self.table.currentRow())

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.control import NO_LENS, CurrentLens
@@ -51,13 +51,11 @@ class Exporter(QObject):
         self._messages = messages
         self._dialogs = dialogs
         self.ask_cutting: Callable[[Session], CutPlan | None] = lambda session: None
-        self._background = Background("export", self)
+        self._background = Background(later("export"), self)
         self._begun = ""
         self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(
-            lambda _, error: messages.warn(sentence_of(error, tr("export")))
-        )
+        self._background.failed.connect(messages.warn)
 
     def choose_and_export(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""
@@ -175,11 +173,9 @@ class Reporter(QObject):
         super().__init__(parent)
         self._document, self._lens = document, lens
         self._messages, self._dialogs = messages, dialogs
-        self._background = Background("report", self)
+        self._background = Background(later("report"), self)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(
-            lambda _, error: messages.warn(sentence_of(error, tr("report")))
-        )
+        self._background.failed.connect(messages.warn)
 
     def choose_and_report(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""

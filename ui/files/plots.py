@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, BinaryIO
 from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
 from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWriter
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.commands.panes import PANES
 from ui.commands.table import PICTURES
 from ui.document.document import Document
@@ -78,13 +78,11 @@ class Plots(_PictureFiles):
         super().__init__(document, messages, dialogs, parent)
         self._plots = dict(plots)
         self._last = next(iter(plots))
-        self._background = Background("plot", self)
+        self._background = Background(later("plot"), self)
         self._background.done.connect(
             lambda path, _: messages.done(tr("{path} is written.").format(path=path))
         )
-        self._background.failed.connect(
-            lambda _, error: messages.warn(sentence_of(error, tr("plot")))
-        )
+        self._background.failed.connect(messages.warn)
         for name, plot in plots.items():
             plot.touched.connect(partial(self._touch, name))
 

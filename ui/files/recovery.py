@@ -20,10 +20,10 @@ from uuid import uuid4
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.document.document import ENDING, Document
 from ui.widgets.messages import question
-from ui.words import tr
+from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import remove_left_behind, replacing
 from workbench.files.session import Session, write_session
@@ -177,7 +177,7 @@ class Recovery(QObject):
         self._lock = lock_of(self._file)
         self._frame: Frame | None = None
         self._kept: Session | None = None
-        self._background = Background("recovery", self, finish_first=True)
+        self._background = Background(later("recovery"), self, finish_first=True)
         self._background.failed.connect(self._give_up)
         self._warned = self._closed = False
         self._timer = QTimer(self, interval=every_ms)
@@ -252,9 +252,9 @@ class Recovery(QObject):
         document = self._document
         return About(document.name, document.path, document.fingerprint, ended)
 
-    def _give_up(self, _: None, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         self._kept = None
-        self._tell(sentence_of(error, tr("recovery")))
+        self._tell(sentence)
 
     def _tell(self, reason: str) -> None:
         if not self._warned:

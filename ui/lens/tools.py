@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.lens.brush_tools import Brush, Lock, Sculpt
 from ui.lens.move_source import MoveSource
 from ui.shown.frame import Frame, make_frame, same_task
@@ -57,7 +57,7 @@ class LiveLens(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._background = Background("trace of the lens", self, finish_first=True)
+        self._background = Background(later("ray trace"), self, finish_first=True)
         self._background.done.connect(self.traced)
         self._background.failed.connect(self._give_up)
         self._evaluator: Evaluator | None = None
@@ -81,10 +81,9 @@ class LiveLens(QObject):
             snapshot = there.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
 
-    def _give_up(self, draft: Draft, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         if not self._background.busy:  # else a later draft is traced
-            called = draft.session.scene.optic.called
-            self.failed.emit(sentence_of(error, tr("ray trace of the {optic}", optic=called)))
+            self.failed.emit(sentence)
 
 
 _BUSY = later("Stop the run first, then sculpt the {optic}.")

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
@@ -213,12 +213,10 @@ class CutterDialog(QDialog):
         self._goes_on = False  # whether the keyboard was at the button
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self.simulate)
-        self._background = Background("simulate the cut", self)
+        self._background = Background(later("simulation of the cut"), self)
         self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._tell)
-        self._background.failed.connect(
-            lambda _, error: self._tell_failure(sentence_of(error, tr("simulation of the cut")))
-        )
+        self._background.failed.connect(self._tell_failure)
         self.finished.connect(self._close)
         self.simulate()
 

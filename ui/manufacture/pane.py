@@ -7,7 +7,7 @@ from PySide6.QtCore import QSettings, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.manufacture.figures import LimitFields, ManufactureFigures
 from ui.panels.editors import Chooser
 from ui.shown.frame import same_light, shows
@@ -143,11 +143,9 @@ class ManufacturePane(SideBySide):
         self._veil = Veil(self)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
-        self._background = Background("analysis of the face", self)
+        self._background = Background(later("analysis of the face"), self)
         self._background.done.connect(self._take)
-        self._background.failed.connect(
-            lambda _, error: figures.say(sentence_of(error, tr("analysis of the face")))
-        )
+        self._background.failed.connect(figures.say)
         self._fields.changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 

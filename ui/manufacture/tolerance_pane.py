@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PySide6.QtCore import Signal
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.manufacture.tolerance_form import ToleranceForm
 from ui.shown.frame import same_light, shows
 from ui.views.plot_view import PlotView
@@ -149,7 +149,7 @@ class TolerancePane(SideBySide):
         self._sample: Sample | None = None
         self._resting = True
         self._of_another = False  # whether the frame is of another design
-        self._background = Background("tolerance analysis", self)
+        self._background = Background(later("tolerance analysis"), self)
         self._background.progressed.connect(self._take)
         self._background.done.connect(self._follow)
         self._background.failed.connect(self._give_up)
@@ -210,10 +210,10 @@ class TolerancePane(SideBySide):
         self.plot.show_sample(sample)
         self._offer()
 
-    def _give_up(self, sample: Sample, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         self._sample = None
         self._offer()
-        self.failed.emit(sentence_of(error, tr("tolerance analysis")))
+        self.failed.emit(sentence)
 
     def _offer(self) -> None:
         busy, sample = self._background.busy, self._sample

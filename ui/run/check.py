@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.shown.frame import same_lens, shows
-from ui.words import tr
+from ui.words import later, tr
 from workbench.arrays import Array
 from workbench.design.session import verified_error as verified_error
 from workbench.powers import written
@@ -69,7 +69,7 @@ class Check(QObject):
         self._shown: Frame | None = None
         self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
         self._rays = self._asked_rays = RAYS
-        self._background = Background("check", self)
+        self._background = Background(later("check"), self)
         self._background.progressed.connect(self._tell_progress)
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)
@@ -154,9 +154,9 @@ class Check(QObject):
             )
         )
 
-    def _give_up(self, lens: CheckedLens, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         self._forget()
-        self.failed.emit(sentence_of(error, tr("check")))
+        self.failed.emit(sentence)
 
     def _forget(self) -> None:
         self._asked = None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.background import Background, sentence_of
+from ui.background import Background
 from ui.document.document import Document
 from ui.run.kept_runs import called, with_run
 from ui.run.worker import Generate, RunJob, work
@@ -44,9 +44,9 @@ class Runner(QObject):
         self._waiting = False
         self._job: RunJob | None = None
         self._best: Result | None = None
-        self._background = Background("run", self)
+        self._background = Background(later("run"), self)
         self._background.progressed.connect(self._wait)
-        self._background.done.connect(self._end)
+        self._background.done.connect(lambda *_: self._end())
         self._background.failed.connect(self._end)
         self._timer = QTimer(self, interval=_FRAME_MS)
         self._timer.timeout.connect(self._take_frame)
@@ -124,15 +124,17 @@ class Runner(QObject):
             self._set_waiting(False)
             self.frame_ready.emit(frame)
 
-    def _end(self, job: RunJob, error: Exception | None) -> None:
+    def _end(self, failure: str = "") -> None:
+        job = self._job
+        assert job is not None  # a dropped one ends without a signal
         self._take_frame()
         self._drop_job()
         self._set_state("idle")
-        if error is not None:
-            self.failed.emit(sentence_of(error, tr("run")))
+        if failure:
+            self.failed.emit(failure)
         if not job.preview:
             self.finished.emit(job.history.result())
-        elif error is not None:
+        elif failure:
             self.unshown.emit(job.session)
 
     def _wait(self) -> None:

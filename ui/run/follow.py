@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.background import Background, sentence_of
+from ui.background import Background
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, with_followed
@@ -81,7 +81,7 @@ class Follow(QObject):
         self._design: _Design | None = None  # in the thread
         self._next: _Design | None = None
         self._seen: Frame | None = None  # of what follows
-        self._background = Background("follow", self, finish_first=True)
+        self._background = Background(later("live update"), self, finish_first=True)
         self._background.done.connect(self._end)
         self._background.failed.connect(self._fail)
         self._look = QTimer(self)
@@ -294,13 +294,12 @@ class Follow(QObject):
             self.rest()
             self.settled.emit()
 
-    def _fail(self, design: _Design, error: Exception) -> None:
-        wanted = self._is_wanted(design)
+    def _fail(self, sentence: str) -> None:
+        wanted = self._design is not None and self._is_wanted(self._design)
         self._take_next()
         if wanted:
             self.rest()
-            called = design.session.scene.optic.called
-            self.failed.emit(sentence_of(error, tr("design of the {optic}", optic=called)))
+            self.failed.emit(sentence)
 
     def _is_wanted(self, design: _Design) -> bool:
         return design.session is self._wanted and not (self._changes or self._held)

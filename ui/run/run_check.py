@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.document.document import Document
 from ui.run.check import ACCURACY, RAYS, CheckedLens, check, verified_error
 from ui.run.control import RunControl
 from ui.shown.frame import iterations_before, lit_alike
-from ui.words import tr
+from ui.words import later, tr
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
@@ -45,11 +45,9 @@ class RunCheck(QObject):
         self._latest: Verified | None = None  # which the text is of
         self._end: CheckedLens | None = None  # the lens of the run that ended last
         self._result: Result | None = None  # that it is of
-        self._background = Background("check of the run", self)
+        self._background = Background(later("check of the run"), self)
         self._background.done.connect(self._take)
-        self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, tr("check of the run")))
-        )
+        self._background.failed.connect(self.failed)
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._finish)
@@ -142,11 +140,9 @@ class BoundOfDesign(QObject):
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._task: Session | None = None  # whose bound is shown, or looked for
-        self._background = Background("bound", self)
+        self._background = Background(later("bound"), self)
         self._background.done.connect(lambda _, found: self.figures_changed.emit(*found))
-        self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, tr("bound")))
-        )
+        self._background.failed.connect(self.failed)
         document.session_changed.connect(self.follow)
 
     def close(self) -> None:

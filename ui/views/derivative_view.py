@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.shown.frame import same_task
 from ui.views.plot_view import PlotView
 from ui.views.surface_view import FaceChoice
 from ui.views.view import ComputingView
 from ui.widgets.labels import WrappedLabel
-from ui.words import tr
+from ui.words import later, tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import nets_of
 from workbench.pictures.images import DerivativeImage
@@ -50,7 +50,7 @@ class DerivativeView(PlotView, ComputingView):
 
     def __init__(self) -> None:
         super().__init__()
-        self._background = Background("derivative map", self)
+        self._background = Background(later("derivative map"), self)
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
@@ -148,10 +148,10 @@ class DerivativeView(PlotView, ComputingView):
         self._show_veil()
         self._ask()
 
-    def _give_up(self, request: DerivativeRequest, error: Exception) -> None:
+    def _give_up(self, sentence: str) -> None:
         self._map = None
         self._place.clear()
-        self._sum.setText(sentence_of(error, tr("derivative map")))
+        self._sum.setText(sentence)
         self._ask()
 
     def _is_behind(self) -> bool:

@@ -12,7 +12,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
 
-from ui.background import Background, Task, other_cores, sentence_of
+from ui.background import Background, Task, other_cores
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageLink
 from ui.views.light_images import LightImageView
@@ -137,7 +137,7 @@ class FocusView(LightImageView, ComputingView):
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
         for traces in (self._image_of, self._curve_of):
-            traces.failed.connect(lambda _, error: self._tell(sentence_of(error, tr(_TRACE))))
+            traces.failed.connect(self._tell)
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setRange(_NEAREST, _FARTHEST)
         self._slider.setValue(_SCREEN)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.background import Background, Task, other_cores, sentence_of
+from ui.background import Background, Task, other_cores
 from ui.shown.frame import same_light
 from ui.views.image_link import ImageChoice, ImageLink
 from ui.views.view import ComputingView
@@ -126,9 +126,7 @@ class PhotoView(ComputingView):
             )
         )
         self._background.done.connect(self._show)
-        self._background.failed.connect(
-            lambda _, error: self._summary.setText(sentence_of(error, tr(_TAKE)))
-        )
+        self._background.failed.connect(self._summary.setText)
         self._pixels = Pixels()
         self._box.addWidget(self._pixels, 1)
         self._box.addLayout(self._controls())

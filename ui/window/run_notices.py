@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.background import Background, Task, sentence_of
+from ui.background import Background, Task
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.views.scene_view import SceneView
 from ui.widgets.messages import MessageBar, Offer
 from ui.window.edit_notices import Notice
-from ui.words import tr
+from ui.words import later, tr
 from workbench.design.limits import Shortfall, wider_entrance
 from workbench.files.session import Session
 from workbench.messages import Message
@@ -190,13 +190,9 @@ class TotalReflectionNotice(QObject):
     def __init__(self, document: Document, control: "RunControl", view: SceneView) -> None:
         super().__init__(control)
         self._document, self._view = document, view
-        self._background = Background("search for total reflection", self)
+        self._background = Background(later("search for total reflection"), self)
         self._background.done.connect(self._show)
-        self._background.failed.connect(
-            lambda _, error: self.reported.emit(
-                sentence_of(error, tr("search for total reflection"))
-            )
-        )
+        self._background.failed.connect(self.reported)
         control.ended.connect(self.look)
         document.session_changed.connect(self._background.cancel)
 

@@ -7,10 +7,10 @@ import weakref
 import pytest
 from PySide6.QtCore import QTimer
 
-from ui.background import Background, GarbageCollector, sentence_of
+from ui.background import Background, GarbageCollector
 from ui.unexpected_errors import UnexpectedErrors
 from workbench.defects import file
-from workbench.errors import Refused, RunFailed
+from workbench.errors import RunFailed
 
 
 @pytest.fixture
@@ -22,27 +22,39 @@ def logged(qapp):
     unexpected.deleteLater()
 
 
-@pytest.mark.parametrize("error", [Refused("lens", "too thick"), RunFailed("no light")])
-def test_a_refusal_is_a_sentence_and_no_defect(logged, error):
-    assert sentence_of(error, "run") == str(error)
-    assert not logged
-
-
 def divided_by_nothing(task):
     return 1 / 0
 
 
-def test_a_defect_in_a_thread_is_shown_logged_and_written(qtbot, qapp, logged, capsys):
-    background, failures = Background("export", qapp), []
-    background.failed.connect(lambda _, error: failures.append(error))
-    background.begin(divided_by_nothing)
-    qtbot.waitUntil(lambda: bool(failures))
-    background.deleteLater()
-    assert isinstance(failures[0], ZeroDivisionError)
-    assert sentence_of(failures[0], "export") == (
+def without_light(task):
+    raise RunFailed("no light")
+
+
+@pytest.fixture
+def failure_of(qtbot, qapp):
+    """The sentence that work in a thread fails with."""
+
+    def fail(work):
+        background, failures = Background("export", qapp), []
+        background.failed.connect(failures.append)
+        background.begin(work)
+        qtbot.waitUntil(lambda: bool(failures))
+        background.deleteLater()
+        return failures
+
+    return fail
+
+
+def test_a_refusal_is_a_sentence_and_no_defect(failure_of, logged):
+    assert failure_of(without_light) == ["no light"]
+    assert not logged
+
+
+def test_a_defect_in_a_thread_is_shown_logged_and_written(failure_of, logged, capsys):
+    assert failure_of(divided_by_nothing) == [
         "The export failed: unexpected ZeroDivisionError: division by zero "
         f"(details are in {file()})"
-    )
+    ]
     (details,) = logged
     for text in (details, file().read_text(), capsys.readouterr().err):
         assert "Traceback" in text and "in divided_by_nothing" in text
