@@ -3,18 +3,17 @@
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QSettings, QTimer, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.background import Background, Task
 from ui.manufacture.figures import LimitFields, ManufactureFigures
 from ui.panels.editors import Chooser
-from ui.shown.frame import same_light, shows
+from ui.shown.frame import same_light
+from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
-from ui.views.surface_view import FaceChoice
+from ui.views.view import ComputingView
 from ui.widgets.controls import SideBySide, filled
-from ui.widgets.labels import Veil
 from ui.words import later, tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
 
-_REST_MS = 250  # longer than between two steps of a hand
 _PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
     (
@@ -76,7 +74,7 @@ class FaceMap(ImageView):
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
         """Show the maps of a frame, by face."""
         self._maps = maps
-        self.faces.offer(frame.session.scene)
+        self.faces.show_scene(frame.session.scene)
         self.show_frame(frame)
         self._choose()
 
@@ -123,26 +121,19 @@ class _Found(NamedTuple):
     maps: dict[str, SurfaceMaps]
 
 
-class ManufacturePane(SideBySide):
+class ManufacturePane(ComputingView):
     """Map, figures and limits of the shown lens."""
 
     cut_asked = Signal()
 
     def __init__(self, settings: QSettings) -> None:
-        face_map = FaceMap()
-        fields = LimitFields(settings, face_map)
-        figures = ManufactureFigures(fields)
-        super().__init__(face_map, figures, (figures.cut,))
-        self.map, self._fields, self._figures = face_map, fields, figures
+        super().__init__()
+        self.map, self._fields = FaceMap(), LimitFields(settings, self)
+        self._figures = figures = ManufactureFigures(self._fields)
+        self._box.addWidget(SideBySide(self.map, figures, (figures.cut,)))
         figures.cut.clicked.connect(self.cut_asked)
-        self.setFocusProxy(face_map)
-        self._frame: Frame | None = None
+        self.setFocusProxy(self.map)
         self._found: _Found | None = None
-        self._resting = True
-        self._of_another = False  # whether the frame is of another design
-        self._veil = Veil(self)
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._compute)
         self._background = Background(later("analysis of the face"), self)
         self._background.done.connect(self._take)
         self._background.failed.connect(figures.say)
@@ -152,33 +143,16 @@ class ManufacturePane(SideBySide):
     def show_design(self, session: "Session") -> None:
         self._fields.show_scene(session.scene)
         self.map.show_design(session)
-        if self._frame is not None and not shows(self._frame, session):  # nobody waits for it
-            self._rest.stop()
-            self._background.cancel()
-
-    def show_outdated(self, outdated: bool) -> None:
-        self._of_another = outdated
-        self._show_veil()
-
-    def show_frame(self, frame: "Frame") -> None:
-        self._frame = frame
-        self.look()
+        super().show_design(session)
 
     def show_nothing(self, session: "Session") -> None:
-        self._frame = self._found = None
-        self._rest.stop()
+        self._found = None
+        super().show_nothing(session)
         self.map.show_nothing(session)
         self._figures.show_nothing()
         self._figures.say("")
-        self._show_veil()
 
-    def allow(self, resting: bool) -> None:
-        """Compute only while the shown lens is final."""
-        self._resting = resting
-        self.look()
-
-    def look(self) -> None:
-        """Compute after a short delay, if needed and visible."""
+    def _want(self) -> None:
         self._show_veil()
         if self._frame is None:
             return
@@ -187,28 +161,16 @@ class ManufacturePane(SideBySide):
             return
         if self._found is not None:
             self._figures.say(tr("Outdated; recomputed when the design rests."))
-        if self._resting and self.isVisible():
-            self._rest.start()
-        else:
-            self._rest.stop()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self.look()
-
-    def close_thread(self) -> None:
-        self._frame = None
-        self._rest.stop()
-        self._background.close()
+        if self._seen():
+            self._compute_soon()
 
     @property
     def _known(self) -> bool:
         frame, found = self._frame, self._found
         return frame is not None and found is not None and same_light(found.frame, frame)
 
-    def _show_veil(self) -> None:
-        behind = self._found is not None and not self._known
-        self._veil.cover(self._of_another or behind)
+    def _is_behind(self) -> bool:
+        return self._found is not None and not self._known
 
     def _compute(self) -> None:
         frame = self._frame
@@ -234,7 +196,7 @@ class ManufacturePane(SideBySide):
             self._found = found
             self.map.show_maps(found.frame, found.maps)
             self._show_figures()
-        self.look()
+        self._want()
 
     def _show_figures(self) -> None:
         if self._found is not None:

@@ -11,6 +11,7 @@ from ui.background import Background, Task
 from ui.manufacture.tolerance_form import ToleranceForm
 from ui.shown.frame import same_light, shows
 from ui.views.plot_view import PlotView
+from ui.views.view import View
 from ui.widgets.controls import SideBySide
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
@@ -132,53 +133,47 @@ _RAYS = 1_000_000  # for each lens, as on the command line
 _NOTHING_OFF = later("All tolerances are zero. Enter a tilt, a decentre or another tolerance.")
 
 
-class TolerancePane(SideBySide):
+class TolerancePane(View):
     """Fields, distribution and figures; it marks results of another lens as outdated."""
 
     save_asked = Signal()
     failed = Signal(str)
 
     def __init__(self) -> None:
-        plot, form = SpreadView(), ToleranceForm()
-        super().__init__(plot, form, (form.begin, form.save))
-        self.plot, self.form = plot, form
+        super().__init__()
+        self.plot, self.form = SpreadView(), ToleranceForm()
+        self._box.addWidget(SideBySide(self.plot, self.form, (self.form.begin, self.form.save)))
         self.summary = WrappedLabel()
         self.summary.setContentsMargins(6, 0, 6, 4)
-        plot.add_below(self.summary)
-        self._frame: Frame | None = None
+        self.plot.add_below(self.summary)
         self._sample: Sample | None = None
-        self._resting = True
-        self._of_another = False  # whether the frame is of another design
         self._background = Background(later("tolerance analysis"), self)
         self._background.progressed.connect(self._take)
         self._background.done.connect(self._follow)
         self._background.failed.connect(self._give_up)
-        form.toggled.connect(self.toggle)
-        form.save_asked.connect(self.save_asked)
+        self.form.toggled.connect(self.toggle)
+        self.form.save_asked.connect(self.save_asked)
         self._offer()
+
+    @property
+    def outdated(self) -> bool:
+        return self._of_another
 
     def show_design(self, session: "Session") -> None:
         self.form.show_scene(session.scene)
         self.plot.show_design(session)
+        super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
             self._background.stop()  # the lenses that are traced count
             self._offer()
 
-    def show_outdated(self, outdated: bool) -> None:
-        self._of_another = outdated
-        self._offer()
-
     def show_frame(self, frame: "Frame") -> None:
-        self._frame = frame
-        self._offer()
-
-    def show_nothing(self, session: "Session") -> None:
-        self._frame = None
+        super().show_frame(frame)
         self._offer()
 
     def allow(self, resting: bool) -> None:
         """Trace only while the shown lens is final."""
-        self._resting = resting
+        super().allow(resting)
         self._offer()
 
     def toggle(self) -> None:
@@ -199,9 +194,6 @@ class TolerancePane(SideBySide):
             self._background.begin(partial(trace_sample, sample, _RAYS), sample)
             self._offer()
 
-    def close_thread(self) -> None:
-        self._background.close()
-
     def _take(self, sample: Sample, each: "Perturbed") -> None:
         sample.add(each)
         self._follow(sample)
@@ -214,6 +206,9 @@ class TolerancePane(SideBySide):
         self._sample = None
         self._offer()
         self.failed.emit(sentence)
+
+    def _show_veil(self) -> None:
+        self._offer()  # the plot alone is outdated
 
     def _offer(self) -> None:
         busy, sample = self._background.busy, self._sample

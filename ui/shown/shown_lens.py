@@ -3,7 +3,7 @@
 import weakref
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -139,24 +139,8 @@ def _size(frame: "Frame") -> int:
 _AT_ONCE_MS = 250  # for a person; most frames of an edited design come sooner, and nothing flickers
 
 
-class FrameView(Protocol):
-    """Something that shows designs and their frames."""
-
-    def show_design(self, session: "Session") -> None:
-        """Store another scene or target."""
-
-    def show_frame(self, frame: "Frame") -> None:
-        """Show a frame."""
-
-    def show_nothing(self, session: "Session") -> None:
-        """Show a design without a frame."""
-
-    def show_outdated(self, outdated: bool) -> None:
-        """Mark the shown frame as that of another design, or remove the mark."""
-
-
 class ShownLens(QObject):
-    """Passes frames from their producers to the views."""
+    """The frame of the lens that all views show; producers emit it by these signals."""
 
     frame_changed = Signal(object)
     emptied = Signal(object)
@@ -172,14 +156,6 @@ class ShownLens(QObject):
         document.session_changed.connect(self._follow)
         self.frame_changed.connect(self._take)
         self.emptied.connect(self._empty)
-
-    def add(self, view: FrameView) -> None:
-        """Show the present design in a view, and all later frames."""
-        view.show_design(self._document.session)
-        self._document.session_changed.connect(view.show_design)
-        self.frame_changed.connect(view.show_frame)
-        self.emptied.connect(view.show_nothing)
-        self.outdated_changed.connect(view.show_outdated)
 
     def _follow(self, session: "Session") -> None:
         self._judge(self._frame is None or shows(self._frame, session))

@@ -4,13 +4,14 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
 from ui.background import Background, Task
 from ui.shown.frame import same_task
+from ui.views.choices import FaceChoice
 from ui.views.plot_view import PlotView
-from ui.views.surface_view import FaceChoice
+from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
@@ -44,12 +45,11 @@ class DerivativeRequest:
 class DerivativeView(PlotView, ComputingView):
     """Choice of a control point, its derivative map, and the sum of the map."""
 
-    chosen = Signal(object)
-
     _image: DerivativeImage
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
+        self._shared.picked.connect(self.choose)
         self._background = Background(later("derivative map"), self)
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)
@@ -83,16 +83,14 @@ class DerivativeView(PlotView, ComputingView):
     def show_frame(self, frame: "Frame") -> None:
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
-            self._faces.offer(frame.session.scene)
-        super().show_frame(frame)
-        self._show_veil()
+            self._faces.show_scene(frame.session.scene)
+        self._frame = frame
         self._offer()
-        self._want()
+        super().show_frame(frame)
 
     def show_nothing(self, session: "Session") -> None:
         self._map = None
         super().show_nothing(session)
-        self._want_nothing()
         self._place.clear()
         self._sum.clear()
 
@@ -126,13 +124,13 @@ class DerivativeView(PlotView, ComputingView):
         self._background.cancel()
         if self._seen():
             self._sum.setText(tr("Computed when the design rests…"))
-            self._rest.start()
-            self.chosen.emit(self.point)
+            self._compute_soon()
+            self._shared.show(point=self.point)
         self._show_veil()
 
     def _want_nothing(self) -> None:
         super()._want_nothing()
-        self.chosen.emit(None)
+        self._shared.show(point=None)
 
     def _compute(self) -> None:
         frame = self._frame

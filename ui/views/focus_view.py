@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
 
 from ui.background import Background, Task, other_cores
 from ui.shown.frame import same_task
-from ui.views.image_link import ImageLink
 from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
+from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, View
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
@@ -129,8 +129,8 @@ _TALL = 3.5  # times the height of the curve; below that, it takes the place of 
 class FocusView(LightImageView, ComputingView):
     """A slider over screen distances, and the irradiance there."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(link)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._traced: Array | None = None
         self._heights: ControlHeights | None = None  # of the traced lens
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
@@ -179,11 +179,8 @@ class FocusView(LightImageView, ComputingView):
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
-        self._show_veil()
-        self._want()
 
     def show_nothing(self, session: "Session") -> None:
-        self._want_nothing()
         self._forget()
         super().show_nothing(session)
         self._place.clear()
@@ -201,7 +198,7 @@ class FocusView(LightImageView, ComputingView):
             self._place.setText(tr(_NO_DISTANCE))
         elif self._seen():
             self._tell(tr("computed when the design rests…"))
-            self._rest.start()
+            self._compute_soon()
 
     def _forget(self) -> None:
         self._traced = None

@@ -11,8 +11,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
 
-from ui.views.image_link import ImageLink, Part, Place
 from ui.views.plot_view import PlotView
+from ui.views.shared_view import Part, Place, SharedView
 from ui.views.tools import ARROWS, COMMANDS, ZOOMS
 from ui.widgets.controls import filled
 from ui.words import tr
@@ -42,10 +42,9 @@ class ImageView(PlotView):
 
     _image: Any  # of workbench.pictures: artists, update(array), values
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self.setMinimumWidth(min(_NARROWEST, self.screen().availableSize().width() // _BESIDE))
-        self._link = link or ImageLink(self)
         self._axes: Axes | None = None
         self._values: Array | None = None
         self._pointed: Place | None = None
@@ -58,8 +57,8 @@ class ImageView(PlotView):
         self._readout.resized.connect(self._read)
         self._bottom = filled(QHBoxLayout(), (self._readout, 1), margins=(6, 0, 6, 2))
         self._box.addLayout(self._bottom)
-        self._link.changed.connect(self._ask)
-        self._link.pointed.connect(self._point)
+        self._shared.changed.connect(self._ask)
+        self._shared.pointed.connect(self._point)
         canvas = self._canvas
         canvas.mpl_connect("scroll_event", self._turn_wheel)
         canvas.mpl_connect("button_press_event", self._press)
@@ -85,14 +84,14 @@ class ImageView(PlotView):
             dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
             self._show_part((left + dx, right + dx, bottom + dy, top + dy))
         elif key == Qt.Key.Key_Home:
-            self._link.show_part(None)
+            self._shared.show(part=None)
         else:
             super().keyPressEvent(event)
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         before = self._shown
         if before is not None and self._extent(before).bounds != self._extent(session).bounds:
-            self._link.show_part(None)
+            self._shared.show(part=None)
         self._axes, self._image = axes, self._new_image(axes, session)
         return list(self._image.artists)
 
@@ -123,7 +122,7 @@ class ImageView(PlotView):
             axes.set_ylim(*part[2:])
         if self._pointer is not None:  # at rest, while keys or another design move the image
             axes.apply_aspect()  # where drawing will put them
-            self._link.pointed.emit(self._place_at(*self._pointer))
+            self._shared.pointed.emit(self._place_at(*self._pointer))
         return other
 
     def _click(self, place: Place) -> None: ...
@@ -185,14 +184,14 @@ class ImageView(PlotView):
         if event.inaxes is not self._axes or event.button != 1 or self._shown is None:
             return
         if event.dblclick:
-            self._link.show_part(None)
+            self._shared.show(part=None)
         self._grip = (event.x, event.y), (event.xdata, event.ydata)
         self._dragged = event.dblclick
 
     def _move(self, event: Any) -> None:
         if event.inaxes is self._axes and self._axes is not None:
             self._pointer = event.x, event.y
-            self._link.pointed.emit((event.xdata, event.ydata))
+            self._shared.pointed.emit((event.xdata, event.ydata))
         if self._grip is None:
             return
         (i, j), start = self._grip
@@ -202,7 +201,7 @@ class ImageView(PlotView):
 
     def _leave(self) -> None:
         self._pointer = None
-        self._link.pointed.emit(None)
+        self._shared.pointed.emit(None)
 
     def _place_at(self, x: float, y: float) -> Place:
         assert self._axes is not None
@@ -221,10 +220,10 @@ class ImageView(PlotView):
         left, right = _within(part[0], part[1], whole[0], whole[1])
         bottom, top = _within(part[2], part[3], whole[2], whole[3])
         part = (left, right, bottom, top)
-        self._link.show_part(None if part == whole else part)
+        self._shared.show(part=None if part == whole else part)
 
     def _part(self) -> Part:
-        return self._link.part or self._whole()
+        return self._shared.now.part or self._whole()
 
     def _whole(self) -> Part:
         assert self._shown is not None

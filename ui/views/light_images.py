@@ -11,9 +11,10 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton
 
 from ui.shown.frame import same_task
-from ui.views.image_link import ImageChoice, ImageLink, Place
+from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
 from ui.views.region_tool import RegionMarks, RegionTool
+from ui.views.shared_view import Place, SharedView
 from ui.widgets import theme
 from ui.words import capitalised, later, tr
 from workbench.arrays import Array
@@ -42,8 +43,8 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 class ScreenImageView(ImageView):
     """Image of the receiver, with the marks of cross-sections."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(link)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._marks: list[Any] = []
         self._regions: RegionMarks | None = None
         self._draws = False  # a line, with this drag
@@ -53,14 +54,13 @@ class ScreenImageView(ImageView):
             tr("Draw a line"),
             tr("Drag across an image to draw the line of a cross-section; or use Shift and drag"),
         )
-        self._line_tool.toggled.connect(self._link.set_drawing)
-        self._hand = RegionTool(self._link)
-        self._choice = ImageChoice(self._link)
+        self._line_tool.toggled.connect(self._shared.draw_line)
+        self._hand = RegionTool(self._shared)
+        self._choice = ImageChoice(self._shared)
         self._bottom.insertWidget(0, self._choice)
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        number = self._number(session)
-        super()._draw(session.of_image(number), frame and frame.of_image(number))
+        super()._draw(*self._of_image(session, frame))
 
     def _extent(self, session: "Session") -> Extent:
         return Extent.of_receiver(session.scene)
@@ -70,17 +70,17 @@ class ScreenImageView(ImageView):
 
     def _number(self, session: "Session") -> int:
         self._choice.show_scene(session.scene)
-        return self._link.number_in(session.scene)
+        return super()._number(session)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Pin a point by keys; while regions are marked, end one or leave."""
-        if self._link.marking and event.key() == Qt.Key.Key_Escape:
+        if self._shared.now.marking and event.key() == Qt.Key.Key_Escape:
             self._hand.leave()
-        elif self._link.draft and event.key() in _ENTER:
+        elif self._shared.now.draft and event.key() in _ENTER:
             self._hand.close()
         elif event.key() in _ENTER and self._shown is not None:
             left, right, bottom, top = self._part()
-            self._link.pinned.emit(((left + right) / 2, (bottom + top) / 2))
+            self._shared.pinned.emit(((left + right) / 2, (bottom + top) / 2))
         else:
             super().keyPressEvent(event)
 
@@ -128,52 +128,52 @@ class ScreenImageView(ImageView):
 
     def _adapt(self) -> bool:
         everything = super()._adapt()
-        link, (upright, level, line, draft) = self._link, self._marks
-        self._line_tool.setChecked(link.drawing)
-        self._canvas.setCursor(_CROSS if link.marking else _ARROW)
+        now, (upright, level, line, draft) = self._shared.now, self._marks
+        self._line_tool.setChecked(now.drawing)
+        self._canvas.setCursor(_CROSS if now.marking else _ARROW)
         for mark in (upright, level):
-            mark.set_visible(link.pin is not None)
-        line.set_visible(link.line is not None)
-        draft.set_visible(bool(link.draft))
-        if link.draft:
-            draft.set_data(*zip(*link.draft, strict=True))
-        if link.pin is not None:
-            upright.set_xdata([link.pin[0]] * 2)
-            level.set_ydata([link.pin[1]] * 2)
-        if link.line is not None:
-            line.set_data(*zip(*link.line, strict=True))
+            mark.set_visible(now.pin is not None)
+        line.set_visible(now.line is not None)
+        draft.set_visible(bool(now.draft))
+        if now.draft:
+            draft.set_data(*zip(*now.draft, strict=True))
+        if now.pin is not None:
+            upright.set_xdata([now.pin[0]] * 2)
+            level.set_ydata([now.pin[1]] * 2)
+        if now.line is not None:
+            line.set_data(*zip(*now.line, strict=True))
         return everything
 
     def _click(self, place: Place) -> None:
-        if self._link.marking:
+        if self._shared.now.marking:
             self._hand.click(place)
         else:
-            self._link.pinned.emit(place)
+            self._shared.pinned.emit(place)
 
     def _press(self, event: Any) -> None:
-        if self._link.marking and event.dblclick:
+        if self._shared.now.marking and event.dblclick:
             self._hand.close()
             return
         super()._press(event)
-        if self._grip is not None and self._link.marking:
+        if self._grip is not None and self._shared.now.marking:
             self._hand.press(self._marked_scene(), self._grip[1], self._margin())
         shift = event.guiEvent.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        self._draws = self._grip is not None and (self._link.drawing or bool(shift))
+        self._draws = self._grip is not None and (self._shared.now.drawing or bool(shift))
 
     def _drag(self, event: Any, start: Place) -> None:
-        if self._link.marking:
+        if self._shared.now.marking:
             if event.inaxes is self._axes:
                 self._hand.drag((event.xdata, event.ydata))
         elif not self._draws:
             super()._drag(event, start)
         elif event.inaxes is self._axes:
-            self._link.show_line((start, (event.xdata, event.ydata)))
+            self._shared.show(line=(start, (event.xdata, event.ydata)))
 
     def _drop(self) -> None:
-        if self._link.marking:
+        if self._shared.now.marking:
             self._hand.drop()
-        elif self._draws and self._link.line is not None:
-            self._link.drawn.emit(self._link.line)
+        elif self._draws and self._shared.now.line is not None:
+            self._shared.drawn.emit(self._shared.now.line)
 
     def _marked_scene(self) -> "Scene":
         assert self._session is not None  # since there is a picture
@@ -193,28 +193,28 @@ class LightImageView(ScreenImageView):
     _image: IrradianceImage
     _NAME = ""  # of the light, where it is not that of the receiver
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(link)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._look = (False, "")  # logarithmic, colours
         self._logarithmic = self._add_tool(
             "logarithmic",
             tr("Logarithmic colours"),
             tr("Logarithmic colours over three decades, to see stray light"),
         )
-        self._logarithmic.toggled.connect(self._link.set_logarithmic)
+        self._logarithmic.toggled.connect(self._shared.slot("logarithmic"))
 
     def _new_image(self, axes: "Axes", session: "Session") -> IrradianceImage:
         self._look = (False, "")
         return IrradianceImage(axes, session.scene, session.target, self._NAME)
 
     def _adapt(self) -> bool:
-        everything, link = super()._adapt(), self._link
-        self._logarithmic.setChecked(link.logarithmic)
-        if (link.logarithmic, link.colours) == self._look:
+        everything, now = super()._adapt(), self._shared.now
+        self._logarithmic.setChecked(now.logarithmic)
+        if (now.logarithmic, now.colours) == self._look:
             return everything
-        self._look = link.logarithmic, link.colours
-        self._image.set_logarithmic(link.logarithmic)
-        self._image.set_colours(link.colours)
+        self._look = now.logarithmic, now.colours
+        self._image.set_logarithmic(now.logarithmic)
+        self._image.set_colours(now.colours)
         return True
 
 
@@ -242,8 +242,8 @@ class TargetView(LightImageView):
 
     _NAME = "target"
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__(link)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._flux = 0.0  # as drawn
         self.setToolTip(tr(_TIP))
 

@@ -6,7 +6,8 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
-from ui.views.image_link import ImageChoice, ImageLink
+from ui.views.choices import ImageChoice
+from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.words import later, tr
 from workbench.optics.account import LOSSES, losses_in, words_for
@@ -23,11 +24,10 @@ _SUM = later(("All parts", "Sum of all parts; 100 % when the account is complete
 class LightView(View):
     """Table of the parts of the emitted light, in percent."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__()
-        self._link = link or ImageLink(self)
-        self._link.changed.connect(self._ask)
-        self._choice = ImageChoice(self._link)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
+        self._shared.changed.connect(self._ask)
+        self._choice = ImageChoice(self._shared)
         self._box.addWidget(self._choice)
         table = QWidget()
         self._grid = QGridLayout(table)
@@ -52,8 +52,7 @@ class LightView(View):
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         self._choice.show_scene(session.scene)
-        number = self._link.number_in(session.scene)
-        session, frame = session.of_image(number), frame and frame.of_image(number)
+        session, frame = self._of_image(session, frame)
         there = losses_in(session.scene)
         for name, text in words_for(session.scene.receiver).items():
             self._rows[name].call(*map(tr, text))

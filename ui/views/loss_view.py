@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.shown.frame import iterations_before
 from ui.views.plot_view import PlotView
+from ui.views.shared_view import SharedView
 from ui.widgets.controls import MenuButton, chosen_of, filled
 from ui.words import tr
 from workbench.pictures.loss import Against, LossCourse, LossPicture, Verified
@@ -107,8 +108,8 @@ class LossView(PlotView):
     _HAS_BAR = False
     _picture: LossPicture
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._runs: tuple[LossCourse, ...] = ()
         self._verified: tuple[Verified, ...] = ()
         self._axes_choice = MenuButton(tr("Axes"), tr("Axes of the plot"))

@@ -21,7 +21,8 @@ from PySide6.QtWidgets import (
 
 from ui.background import Background, Task, other_cores
 from ui.shown.frame import same_light
-from ui.views.image_link import ImageChoice, ImageLink
+from ui.views.choices import ImageChoice
+from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import rgb_image
@@ -110,11 +111,9 @@ _WAITS = later("The photo is predicted when the design rests.")
 class PhotoView(ComputingView):
     """The photo, its exposure, and the illumination."""
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__()
-        self._link = link or ImageLink(self)
-        self._link.changed.connect(self._want)
-        self._resting = True
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
+        self._shared.changed.connect(self._want)
         self._taken: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
         self._summary = WrappedLabel(tr(_NO_LENS))
@@ -144,24 +143,14 @@ class PhotoView(ComputingView):
     def stops(self) -> float:
         return self._slider.value() / _STEPS
 
-    def allow(self, resting: bool) -> None:
-        """Set whether the shown lens is final; otherwise nothing is traced."""
-        self._resting = resting
-        self._want()
-
-    def show_frame(self, frame: "Frame") -> None:
-        super().show_frame(frame)
-        self._want()
-
     def show_nothing(self, session: "Session") -> None:
-        self._want_nothing()
         self._taken = None
         self._pixels.show_pixels(None)
         super().show_nothing(session)
         self._summary.setText(tr(_NO_LENS))
 
     def _controls(self) -> QVBoxLayout:
-        self._choice = ImageChoice(self._link)
+        self._choice = ImageChoice(self._shared)
         self._light = QComboBox()
         self._light.setAccessibleName(tr("Light of the photo"))
         self._light.setToolTip(
@@ -223,7 +212,7 @@ class PhotoView(ComputingView):
 
     def _request(self) -> PhotoRequest:
         assert self._frame is not None  # of what nobody sees there is no photo
-        number = self._link.number_in(self._frame.session.scene)
+        number = self._number(self._frame.session)
         return PhotoRequest(self._frame, number, self._light.currentData())
 
     def _known(self, request: PhotoRequest) -> bool:

@@ -34,6 +34,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from ui.shown.frame import same_task
+from ui.views.shared_view import SharedView
 from ui.views.view import View, drawing_queue
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.plot_words import translate, translate_axes
@@ -250,8 +251,8 @@ class PlotView(View):
     _TOO_SMALL = later("Too little space for a plot.")
     _NOTHING = later("There is no image: this design cannot be traced.")
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._canvas = PlotCanvas(self, bar=self._HAS_BAR)
         self._canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._canvas.installEventFilter(self)

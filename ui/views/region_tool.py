@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ui.views.image_link import ImageLink, Place
+from ui.views.shared_view import Place, SharedView
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
@@ -181,8 +181,8 @@ class RegionTool:
     polygon, until a double click or Enter.
     """
 
-    def __init__(self, link: ImageLink) -> None:
-        self._link = link
+    def __init__(self, shared: SharedView) -> None:
+        self._shared = shared
         self._scene: Scene | None = None
         self._start: Place = (0.0, 0.0)
         self._grip: Grip | None = None
@@ -193,7 +193,7 @@ class RegionTool:
         """Begin at a point of the receiver; edges are grabbed within a margin."""
         self._scene, self._start, self._drawn = scene, self._parts(scene.receiver, place), None
         near = np.divide(margin, np.multiply(scene.receiver.half_extent, 2))
-        if self._link.draft:  # the next corner of a polygon may be anywhere
+        if self._shared.now.draft:  # the next corner of a polygon may be anywhere
             self._grip = None
         else:
             self._grip = grip_at(scene.regions, self._start, (float(near[0]), float(near[1])))
@@ -214,20 +214,20 @@ class RegionTool:
 
     def drop(self) -> None:
         scene, drawn, grip = self._scene, self._drawn, self._grip
-        self._link.show_draft(())
+        self._shared.show(draft=())
         if scene is None or drawn is None:
             return
         if grip is None:
-            self._link.regions_drawn.emit((*scene.regions, drawn), tr("new region"))
+            self._shared.regions_drawn.emit((*scene.regions, drawn), tr("new region"))
         elif drawn != scene.regions[grip.number]:
             regions: list[AnyRegion] = list(scene.regions)
             regions[grip.number] = drawn
-            self._link.regions_drawn.emit(
+            self._shared.regions_drawn.emit(
                 tuple(regions), tr("move of {region}").format(region=drawn.name)
             )
 
     def click(self, place: Place) -> None:
-        if not self._link.draft:  # what was begun before was given up
+        if not self._shared.now.draft:  # what was begun before was given up
             self._corners = []
         if self._scene is not None and self._grip is None:
             self._corners.append(self._parts(self._scene.receiver, place))
@@ -235,17 +235,17 @@ class RegionTool:
 
     def close(self) -> None:
         scene = self._scene
-        drawn = around(self._corners, self._name) if self._link.draft else None
+        drawn = around(self._corners, self._name) if self._shared.now.draft else None
         self._forget()
         if scene is not None and drawn is not None:
-            self._link.regions_drawn.emit((*scene.regions, drawn), tr("new region"))
+            self._shared.regions_drawn.emit((*scene.regions, drawn), tr("new region"))
 
     def leave(self) -> None:
         """Discard the drawn region; without one, end marking."""
-        if self._link.draft:
+        if self._shared.now.draft:
             self._forget()
         else:
-            self._link.set_marking(False)
+            self._shared.mark_regions(False)
 
     @property
     def _name(self) -> str:
@@ -254,14 +254,14 @@ class RegionTool:
 
     def _forget(self) -> None:
         self._corners, self._drawn, self._scene = [], None, None
-        self._link.show_draft(())
+        self._shared.show(draft=())
 
     def _show(self, outline: "list[Place]") -> None:
         assert self._scene is not None
         receiver = self._scene.receiver
         closed = [*outline, outline[0]] if len(outline) > 2 else outline
         places = receiver.middle + 2 * np.reshape(closed, (-1, 2)) * receiver.half_extent
-        self._link.show_draft(tuple((float(x), float(y)) for x, y in places))
+        self._shared.show(draft=tuple((float(x), float(y)) for x, y in places))
 
     @staticmethod
     def _parts(receiver: "AnyReceiver", place: Place) -> Place:

@@ -4,18 +4,17 @@ They are created for a design task, and updated for each frame. Tools work on on
 the pointer picks the net nearest to the eye.
 """
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import some_rays
+from ui.views.shared_view import ViewOptions
 from ui.views.tools import Tool
 from ui.words import later, tr
 from workbench.arrays import Array, Mask
 from workbench.geometry.faces import NO_LOCKS, ControlPoint
-from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
-    from workbench.pictures.surface import FaceColours
     from workbench.scene import Scene
 
 
@@ -171,19 +169,6 @@ _SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean c
 _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
 
-@dataclass(frozen=True)
-class SceneLook:
-    """Options of the 3D view."""
-
-    rays: int = 15
-    exploded: bool = False
-    perspective: bool = False
-    by_weight: bool = False
-    faces: "FaceColours" = "material"
-    exaggerated: bool = False
-    colours: str = LIGHT
-
-
 class SceneContents:
     """Contents of a plotter."""
 
@@ -196,7 +181,7 @@ class SceneContents:
         self._marked: tuple[ControlHeights, Array] | None = None
 
     def begin(
-        self, plotter: Any, session: "Session", look: SceneLook, *, dark: bool
+        self, plotter: Any, session: "Session", options: ViewOptions, *, dark: bool
     ) -> "LensPicture":
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers
@@ -210,9 +195,9 @@ class SceneContents:
             session.scene,
             session.target,
             dark=dark,
-            explode=look.exploded,
-            perspective=look.perspective,
-            by_weight=look.by_weight,
+            explode=options.exploded,
+            perspective=options.perspective,
+            by_weight=options.by_weight,
         )
         self.nets.begin(plotter, session.scene, dark=dark)
         if self.handles is not None:
@@ -227,13 +212,13 @@ class SceneContents:
         """Mark points (n, 3) of a lens with these heights, while it is shown."""
         self._marked = heights, places
 
-    def draw(self, frame: "Frame", look: SceneLook, tool: Tool | None) -> None:
+    def draw(self, frame: "Frame", options: ViewOptions, tool: Tool | None) -> None:
         """Draw a lens with its light, and the state of tools."""
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
-        picture.set_colours(look.colours)
-        picture.set_faces(look.faces, look.exaggerated, tr(_SCALES[look.faces]))
-        paths, lit = some_rays(frame.paths, look.rays), frame.state.irradiance
+        picture.set_colours(options.colours)
+        picture.set_faces(options.faces, options.exaggerated, tr(_SCALES[options.faces]))
+        paths, lit = some_rays(frame.paths, options.rays), frame.state.irradiance
         further = [light.irradiance for light in frame.state.further]
         picture.update(frame.surfaces, paths, lit, frame.source, further)
         here = marked is not None and marked[0] == frame.state.heights

@@ -11,7 +11,6 @@
 6. The plotter gets the events that no tool uses. Tools request drawing by `_ask`.
 """
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +20,8 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy
 
 from ui.shown.frame import same_task
-from ui.views.scene_contents import SceneContents, SceneLook
+from ui.views.scene_contents import SceneContents
+from ui.views.shared_view import SharedView
 from ui.views.tools import Pointer, Tool, ToolInput, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
-    from workbench.pictures.surface import FaceColours
     from workbench.scene import Element, Scene, Source
 
 _NOTCH = 1.2  # times as large, by a notch of the wheel
@@ -45,17 +44,17 @@ _NOTCH = 1.2  # times as large, by a notch of the wheel
 class SceneView(View):
     """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard."""
 
-    picked = Signal(object)  # ControlPoint
     escaped = Signal()
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
+        self._options = self._shared.now
+        self._shared.changed.connect(self._follow_options)
         make_native(self)
         self._plotter: Any = None
         self._contents = SceneContents(self)
         self.nets = self._contents.nets
         self.nets.changed.connect(self._ask)
-        self._look = SceneLook()
         self._tool: Tool | None = None
         self._shown: Session | None = None
         self._held: Array | None = None  # what the camera was turned to
@@ -74,11 +73,6 @@ class SceneView(View):
         self._over = QGridLayout()
         self._over.addWidget(self._hint, 0, 0, Qt.AlignmentFlag.AlignBottom)
         self._box.addLayout(self._over, 1)
-
-    def show_colours(self, name: str) -> None:
-        """Show light in one of `workbench.pictures.axes.UNSIGNED`."""
-        self._look = replace(self._look, colours=name)
-        self._ask()
 
     @property
     def frame(self) -> "Frame | None":
@@ -112,7 +106,7 @@ class SceneView(View):
     @property
     def exploded(self) -> bool:
         """Whether distances are not drawn to scale."""
-        return self._look.exploded
+        return self._options.exploded
 
     @property
     def unit(self) -> str:
@@ -171,30 +165,6 @@ class SceneView(View):
         self._placement = placement
         self._ask()
 
-    def see_in_perspective(self, perspective: bool) -> None:
-        """See in perspective, or in parallel."""
-        self._look = replace(self._look, perspective=perspective)
-        if self._contents.picture is not None:
-            self._contents.picture.project(perspective)
-            self._plotter.update()
-
-    def colour_rays(self, by_weight: bool) -> None:
-        """Colour rays by the fraction of their flux that arrives, or by outcome."""
-        self._look = replace(self._look, by_weight=by_weight)
-        if self._contents.picture is not None:
-            self._contents.picture.colour_rays(by_weight)
-            self._plotter.update()
-
-    def colour_faces(self, by: "FaceColours") -> None:
-        """Colour freeform faces by what `workbench.pictures.surface` knows."""
-        self._look = replace(self._look, faces=by)
-        self._ask()
-
-    def exaggerate_relief(self, exaggerated: bool) -> None:
-        """Exaggerate the relief of freeform faces, or not."""
-        self._look = replace(self._look, exaggerated=exaggerated)
-        self._ask()
-
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
         """Return the magnified picture, shape (rows, columns, 3); None before drawing."""
         if self._contents.picture is None:
@@ -202,20 +172,9 @@ class SceneView(View):
         taken = self._plotter.screenshot(return_img=True, scale=times)
         return np.ascontiguousarray(taken[..., :3])
 
-    def show_rays(self, rays: int) -> None:
-        """Set the number of rays along each axis: a divisor of `RAYS`, or 0."""
-        self._look = replace(self._look, rays=rays)
-        self._ask()
-
     def show_spots(self, heights: "ControlHeights", places: Array) -> None:
         """Mark points (n, 3) of a lens with these heights while it is shown."""
         self._contents.mark(heights, places)
-        self._ask()
-
-    def explode(self, exploded: bool) -> None:
-        """Compress distances, or draw to scale."""
-        self._look = replace(self._look, exploded=exploded)
-        self._shown = None
         self._ask()
 
     def fit(self, view: str = "") -> None:
@@ -267,13 +226,25 @@ class SceneView(View):
     def _pick(self, at: Pointer) -> None:
         point = self.nets.pick(at.x, at.y)
         if point is not None:
-            self.picked.emit(point)
+            self._shared.picked.emit(point)
 
     def _zoom(self, at: Pointer, notches: float) -> None:
         picture, sight = self._contents.picture, self._contents.sight
         if picture is not None and sight is not None:
             picture.camera.zoom(_NOTCH**notches, sight.point(at.x, at.y))
             self._plotter.update()
+
+    def _follow_options(self) -> None:
+        before, self._options = self._options, self._shared.now
+        if before.of_scene == self._options.of_scene:
+            return
+        self.nets.mark(self._options.point)
+        if before.exploded != self._options.exploded:
+            self._shown = None
+        if self._contents.picture is not None:
+            self._contents.picture.project(self._options.perspective)
+            self._contents.picture.colour_rays(self._options.by_weight)
+        self._ask()
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._closed:
@@ -287,7 +258,7 @@ class SceneView(View):
         if frame is not None:
             if self._tool is not None:
                 self._hint.setText(self._tool.hint)
-            self._contents.draw(frame, self._look, self._tool)
+            self._contents.draw(frame, self._options, self._tool)
         self._plotter.repaint()
 
     def _place_camera(self, session: "Session") -> None:
@@ -320,7 +291,7 @@ class SceneView(View):
         space = self._space(session.scene)
         moved = self._held is None or not np.array_equal(self._held, space)
         self._held = space
-        picture = self._contents.begin(self._plotter, session, self._look, dark=self.is_dark())
+        picture = self._contents.begin(self._plotter, session, self._options, dark=self.is_dark())
         if moved:
             picture.fit()
 
@@ -328,7 +299,7 @@ class SceneView(View):
         from workbench.pictures.camera import scene_corners
         from workbench.pictures.compressed import compress_distances
 
-        return scene_corners(compress_distances(scene) if self._look.exploded else scene)
+        return scene_corners(compress_distances(scene) if self._options.exploded else scene)
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())

@@ -10,8 +10,8 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 
-from ui.views.image_link import ImageLink, Line, Place
 from ui.views.plot_view import PlotView
+from ui.views.shared_view import Line, Place, SharedView
 from ui.views.tools import ARROWS
 from ui.widgets.controls import MenuButton, choose, chosen_of
 from ui.words import later, tr
@@ -46,11 +46,10 @@ class SectionView(PlotView):
     _HAS_BAR = False
     _curves: SectionCurves
 
-    def __init__(self, link: ImageLink | None = None) -> None:
-        super().__init__()
-        self._link = link or ImageLink(self)
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._place: Place = (0.0, 0.0)
-        self._number = self._link.number
+        self._image_number = self._shared.now.number
         self._line: Line | None = None  # from corner to corner until one is drawn
         self._button = MenuButton(tr("Along"), tr(_TIP))
         self._direction = self._button.add_choice(
@@ -58,17 +57,17 @@ class SectionView(PlotView):
         )
         self._button.chosen.connect(self._turn)
         self._add_in_corner(self._button)
-        self._link.pinned.connect(self._pin)
-        self._link.changed.connect(self._follow)
-        self._link.drawn.connect(self._take)
+        self._shared.pinned.connect(self._pin)
+        self._shared.changed.connect(self._follow)
+        self._shared.drawn.connect(self._take)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._mark()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self._link.show_pin(None)
-        self._link.show_line(None)
+        self._shared.show(pin=None)
+        self._shared.show(line=None)
         super().hideEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -102,22 +101,22 @@ class SectionView(PlotView):
     def _mark(self) -> None:
         if self.isVisible():
             by_line = self._along == "line"
-            self._link.show_line(self._line if by_line else None)
-            self._link.show_pin(None if by_line else self._place)
+            self._shared.show(line=self._line if by_line else None)
+            self._shared.show(pin=None if by_line else self._place)
 
     def _pin(self, place: Place) -> None:
         if self.isVisible() and self._along != "line":
             self._place = place
-            self._link.show_pin(place)
+            self._shared.show(pin=place)
             self._ask()
 
     def _follow(self) -> None:
-        if self._link.number != self._number:
-            self._number = self._link.number
+        if self._shared.now.number != self._image_number:
+            self._image_number = self._shared.now.number
             self._ask()
-        if self.isVisible() and self._link.line not in (None, self._line):
-            assert self._link.line is not None
-            self._take(self._link.line)
+        if self.isVisible() and self._shared.now.line not in (None, self._line):
+            assert self._shared.now.line is not None
+            self._take(self._shared.now.line)
 
     def _take(self, line: Line) -> None:
         self._line = line
@@ -125,8 +124,7 @@ class SectionView(PlotView):
         self._turn()
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        number = self._link.number_in(session.scene)
-        super()._draw(session.of_image(number), frame and frame.of_image(number))
+        super()._draw(*self._of_image(session, frame))
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         receiver = session.scene.receiver

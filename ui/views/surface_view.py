@@ -1,61 +1,23 @@
-"""Choice of a freeform face of a scene, and maps of one."""
+"""Maps of a freeform face."""
 
 from typing import TYPE_CHECKING, BinaryIO
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
+from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.widgets.controls import STRETCH, filled
-from ui.words import capitalised, tr
+from ui.words import tr
 from workbench.arrays import Array
-from workbench.geometry.surface import nets_of
 from workbench.pictures.axes import Column, Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
-from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ui.shown.frame import Frame
     from workbench.files.session import Session
-
-
-class FaceChoice(QComboBox):
-    """Choice of a freeform face; hidden for a single one."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setAccessibleName(tr("Face"))
-        self.setToolTip(tr("Choose the freeform face"))
-        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.hide()
-
-    @property
-    def face(self) -> str:
-        """Id of the chosen face; empty before a scene is known."""
-        return str(self.currentData() or "")
-
-    @property
-    def needed(self) -> str:
-        """Title of the selected face; empty for a single one."""
-        return self.currentText() if self.count() > 1 else ""
-
-    def choose(self, face: str) -> None:
-        self.setCurrentIndex(self.findData(face))
-
-    def offer(self, scene: Scene) -> None:
-        """Offer the freeform faces of a scene; the selection stays where possible."""
-        faces = list(nets_of(scene))
-        if faces == [self.itemData(number) for number in range(self.count())]:
-            return
-        chosen = self.face if self.face in faces else scene.optic.designed_face
-        with QSignalBlocker(self):
-            self.clear()
-            for face in faces:
-                self.addItem(capitalised(tr(scene.face_in_words(face))), face)
-            self.choose(chosen)
-        self.setVisible(len(faces) > 1)
 
 
 _FONT = 9  # of the name of a face in files
@@ -111,7 +73,7 @@ class SurfaceView(ImageView):
         return self._aspect.unit.format(session.scene.unit).removeprefix("1 ")
 
     def _new_image(self, axes: "Axes", session: "Session") -> SurfaceImage:
-        self._faces.offer(session.scene)
+        self._faces.show_scene(session.scene)
         return SurfaceImage(axes, session.scene, self._aspect, self._faces.face)
 
     def _shown_array(self, frame: "Frame") -> Array:

@@ -15,11 +15,14 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.background import Background
 from ui.shown.frame import shows
+from ui.views.shared_view import SharedView
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
 
 if TYPE_CHECKING:
+    from ui.document.document import Document
     from ui.shown.frame import Frame
+    from ui.shown.shown_lens import ShownLens
     from workbench.files.session import Session
 
 _REST = 2.0  # seconds of rest for each second of drawing
@@ -100,14 +103,16 @@ class View(QWidget):
     outdated.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__()
+        self._shared = shared or SharedView(self)
         self._session: Session | None = None
         self._frame: Frame | None = None
         self._to_draw = False
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._of_another = False  # whether the frame is of another design
+        self._resting = True  # whether the shown lens is final
         self._veil = Veil(self)
 
     @property
@@ -116,6 +121,23 @@ class View(QWidget):
 
     def add_below(self, widget: QWidget) -> None:
         self._box.addWidget(widget)
+
+    def follow(self, document: "Document", shown: "ShownLens") -> None:
+        """Show the design of a document, and all frames of its lens."""
+        self.show_design(document.session)
+        document.session_changed.connect(self.show_design)
+        shown.frame_changed.connect(self.show_frame)
+        shown.emptied.connect(self.show_nothing)
+        shown.outdated_changed.connect(self.show_outdated)
+
+    def allow(self, resting: bool) -> None:
+        """Set whether the shown lens is final."""
+        self._resting = resting
+
+    def close_threads(self) -> None:
+        """Cancel all computation and wait for its threads; safe to call twice."""
+        for background in self.findChildren(Background):
+            background.close()
 
     def show_design(self, session: "Session") -> None:
         self._session = session
@@ -176,6 +198,15 @@ class View(QWidget):
     def _is_behind(self) -> bool:
         return False
 
+    def _number(self, session: "Session") -> int:
+        return self._shared.number_in(session.scene)
+
+    def _of_image(
+        self, session: "Session", frame: "Frame | None"
+    ) -> "tuple[Session, Frame | None]":
+        number = self._number(session)
+        return session.of_image(number), frame and frame.of_image(number)
+
     def _draw(self, session: "Session", frame: "Frame | None") -> None: ...
 
     def _recolour(self) -> None: ...
@@ -189,8 +220,8 @@ class ComputingView(View):
 
     _covered = False
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
 
@@ -198,6 +229,22 @@ class ComputingView(View):
         super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
             self._want_nothing()
+
+    def show_frame(self, frame: "Frame") -> None:
+        super().show_frame(frame)
+        self._show_veil()
+        self._want()
+
+    def show_nothing(self, session: "Session") -> None:
+        self._want_nothing()
+        super().show_nothing(session)
+
+    def allow(self, resting: bool) -> None:
+        """Compute only while the shown lens is final."""
+        super().allow(resting)
+        if not resting:
+            self._want_nothing()
+        self._want()
 
     def uncover(self, uncovered: bool) -> None:
         """Start or stop computing; a dock behind another tab is covered, not hidden."""
@@ -208,10 +255,8 @@ class ComputingView(View):
             self._want_nothing()
 
     def close_threads(self) -> None:
-        """Cancel the computation and wait for its threads; safe to call twice."""
         self._rest.stop()
-        for background in self.findChildren(Background):
-            background.close()
+        super().close_threads()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -234,5 +279,9 @@ class ComputingView(View):
             background.cancel()
 
     def _want(self) -> None: ...
+
+    def _compute_soon(self) -> None:
+        if self._resting:
+            self._rest.start()
 
     def _compute(self) -> None: ...

@@ -1,6 +1,6 @@
 """All views of a window; importing this module takes seconds."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject
 from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
-from ui.views.image_link import ImageLink
 from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.light_view import LightView
 from ui.views.loss_view import HistorySlider, LossView
@@ -17,59 +16,62 @@ from ui.views.photo_view import PhotoView
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.section_view import SectionView
+from ui.views.shared_view import SharedView
 from ui.views.surface_view import SurfaceView
 from ui.views.view import ComputingView, View
 
 if TYPE_CHECKING:
+    from ui.document.document import Document
     from ui.shown.shown_lens import FrameHistory, ShownLens
 
 
 class Views(QObject):
-    """Creates the views and connects them."""
+    """The 3D view, and by dock names the views around it, ``others`` among them."""
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, parent: QObject, others: Mapping[str, View]) -> None:
         super().__init__(parent)
-        self.link = link = ImageLink(self)
-        self.scene, self.history_slider = SceneView(), HistorySlider()
-        self.derivative, self.focus, self.loss = DerivativeView(), FocusView(link), LossView()
-        self.photo = PhotoView(link)
-        self.computing: dict[str, ComputingView] = {
-            "derivative": self.derivative,
-            "focus": self.focus,
-            "photo": self.photo,
-        }
+        self.shared = shared = SharedView(self)
+        self.scene, self.history_slider = SceneView(shared), HistorySlider()
+        self.derivative, self.loss = DerivativeView(shared), LossView(shared)
+        self.photo = PhotoView(shared)
         self.loss.add_below(self.history_slider)
         self.docked: dict[str, View] = {
-            "irradiance": IrradianceView(link),
-            "target": TargetView(link),
-            "error": ErrorView(link),
+            "irradiance": IrradianceView(shared),
+            "target": TargetView(shared),
+            "error": ErrorView(shared),
             "derivative": self.derivative,
             "surface": SurfaceView(),
-            "focus": self.focus,
+            "focus": FocusView(shared),
             "photo": self.photo,
             "loss": self.loss,
-            "section": SectionView(link),
-            "light": LightView(link),
+            "section": SectionView(shared),
+            "light": LightView(shared),
+            **others,
         }
-        self.derivative.chosen.connect(self.scene.nets.mark)
-        self.scene.picked.connect(self.derivative.choose)
 
-    def follow(self, shown: "ShownLens", history: "FrameHistory") -> None:
+    def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
         """Connect the views to the shown lens; slider and loss curve show the history."""
         for view in (self.scene, *self.docked.values()):
-            shown.add(view)
+            view.follow(document, shown)
         self.history_slider.frame_chosen.connect(shown.frame_changed)
         history.changed.connect(lambda: self.history_slider.show_frames(history.frames))
         history.changed.connect(lambda: self.loss.show_verified(history.checks))
 
+    @property
     def plots(self) -> dict[str, PlotView]:
         """Views with axes, by dock name."""
         return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
 
-    def show_colours(self, name: str) -> None:
-        """Show light in one of `workbench.pictures.axes.UNSIGNED`."""
-        self.link.set_colours(name)
-        self.scene.show_colours(name)
+    @property
+    def computing(self) -> dict[str, ComputingView]:
+        """Views that compute while they are seen, by dock name."""
+        return {name: view for name, view in self.docked.items() if isinstance(view, ComputingView)}
+
+    def allow(self, look: bool, go_on: bool) -> None:
+        """Allow looking back at the run, and continuing from a shown frame."""
+        self.history_slider.allow(look=look, go_on=go_on)
+        for view in self.docked.values():
+            view.allow(resting=look)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {
@@ -78,22 +80,24 @@ class Views(QObject):
         }
 
     def choices(self) -> dict[str, Callable[[], object]]:
+        groups: dict[str, Mapping[str, object]] = {
+            "rays": RAYS,
+            "by_weight": RAYS_BY,
+            "faces": FACES_BY,
+            "colours": COLOURS,
+        }
         return {
-            **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
-            **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
-            **{name: partial(self.scene.colour_faces, by) for name, by in FACES_BY.items()},
-            **{name: partial(self.show_colours, colours) for name, colours in COLOURS.items()},
+            command: self.shared.with_value(option, value)
+            for option, commands in groups.items()
+            for command, value in commands.items()
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
         """Functions of checkable commands."""
-        return {
-            "exploded": self.scene.explode,
-            "perspective": self.scene.see_in_perspective,
-            "relief": self.scene.exaggerate_relief,
-        }
+        options = {"exploded": "exploded", "perspective": "perspective", "relief": "exaggerated"}
+        return {name: self.shared.slot(option) for name, option in options.items()}
 
     def close(self) -> None:
         self.scene.close_plotter()
-        for view in self.computing.values():
+        for view in self.docked.values():
             view.close_threads()

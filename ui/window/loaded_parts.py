@@ -19,6 +19,7 @@ from ui.run.log import RunLog
 from ui.run.run_check import BoundOfDesign
 from ui.run.runs import Runs
 from ui.shown.shown_lens import ShownLens
+from ui.views.view import View
 from ui.views.views import Views
 from ui.window.edit_notices import PostponedEdits
 from ui.window.run_notices import (
@@ -50,14 +51,15 @@ class LoadedParts(QObject):
         document, workspace, messages = early.document, early.workspace, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
-        self.views = views = Views(self)
+        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
+        panes: dict[str, View] = {"manufacture": self.manufacture, "tolerances": self.tolerances}
+        self.views = views = Views(self, panes)
         self.check = Check(self)
         self.bound = BoundOfDesign(document, self)
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
         self.follow = Follow(document, self.control, self)
-        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
-        plots = views.plots() | {
+        plots = views.plots | {
             "manufacture": self.manufacture.map,
             "tolerances": self.tolerances.plot,
         }
@@ -77,23 +79,14 @@ class LoadedParts(QObject):
         self.reflection = TotalReflectionNotice(document, self.control, views.scene)
         self.reflection.reported.connect(self._report_reflection)
         self.follow.settled.connect(self.reflection.look)
-        docked = {
-            **views.docked,
-            "manufacture": self.manufacture,
-            "tolerances": self.tolerances,
-            "check": self.figures,
-            "runs": self.runs.table,
-        }
+        docked = {**views.docked, "check": self.figures, "runs": self.runs.table}
         workspace.put_views(views.scene, docked)
         for name, view in views.computing.items():
             workspace.docks[name].visibilityChanged.connect(view.uncover)
-        workspace.docks["manufacture"].visibilityChanged.connect(self.manufacture.look)
-        views.link.drawn.connect(lambda _: workspace.show_dock("section"))
-        views.link.regions_drawn.connect(self._take_regions)
-        views.link.changed.connect(self._follow_marking)
-        views.follow(shown, self.control.history)
-        shown.add(self.manufacture)
-        shown.add(self.tolerances)
+        views.shared.drawn.connect(lambda _: workspace.show_dock("section"))
+        views.shared.regions_drawn.connect(self._take_regions)
+        views.shared.changed.connect(self._follow_marking)
+        views.follow(document, shown, self.control.history)
         views.scene.escaped.connect(early.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
@@ -112,16 +105,12 @@ class LoadedParts(QObject):
 
     def allow(self, look: bool, go_on: bool) -> None:
         """Allow looking back at the run, and continuing from a shown frame."""
-        self.views.history_slider.allow(look=look, go_on=go_on)
-        for view in (self.views.photo, self.manufacture, self.tolerances):
-            view.allow(resting=look)
+        self.views.allow(look, go_on)
 
     def close(self) -> None:
         engines = (self.follow, self.control, self.check, self.plots, self.runs)
         for part in (*engines, self.reflection, self.bound, self.views, self.tools):
             part.close()
-        self.manufacture.close_thread()
-        self.tolerances.close_thread()
 
     def _connect_run(self) -> None:
         control, early, shown = self.control, self._early, self.shown
@@ -194,14 +183,14 @@ class LoadedParts(QObject):
         commands.connect_choices(self.views.choices())
 
     def _mark_regions(self, on: bool) -> None:
-        link = self.views.link
-        if on and not link.marking:
+        shared = self.views.shared
+        if on and not shared.now.marking:
             self._early.workspace.show_dock("irradiance")
             self.views.docked["irradiance"].setFocus()
-        link.set_marking(on)
+        shared.mark_regions(on)
 
     def _follow_marking(self) -> None:
-        self._early.commands["mark_region"].setChecked(self.views.link.marking)
+        self._early.commands["mark_region"].setChecked(self.views.shared.now.marking)
 
     def _take_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
         if self.control.busy:

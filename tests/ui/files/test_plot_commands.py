@@ -18,7 +18,7 @@ def window(display, window):
 def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.commands["colours_inferno"].isChecked()
     window.commands["colours_cividis"].trigger()
-    assert window.loaded.views.link.colours == window.loaded.views.scene._look.colours == "cividis"
+    assert window.loaded.views.shared.now.colours == "cividis"
     irradiance = window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
     shown = irradiance._image.artists[0]
@@ -43,11 +43,11 @@ def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
 
 
 def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
-    dock, link = window.workspace.docks["section"], window.loaded.views.link
+    dock, link = window.workspace.docks["section"], window.loaded.views.shared
     assert not dock.isVisible()
     link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))
     qtbot.waitUntil(dock.isVisible)
-    assert link.line == ((-0.5, 0.0), (0.5, 0.25))
+    assert link.now.line == ((-0.5, 0.0), (0.5, 0.25))
     section = window.loaded.views.docked["section"]
     qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
     assert section._curves._axes.get_xlabel() == "distance (cm)"

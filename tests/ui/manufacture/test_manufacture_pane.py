@@ -25,7 +25,7 @@ def bowl(session, frames):
 @pytest.fixture
 def pane(settings, session, bowl, show, qtbot):
     pane = ManufacturePane(settings)
-    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_threads())
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
     show(pane, 760, 420)

@@ -13,9 +13,9 @@ def shown(document):
 
 
 @pytest.fixture
-def view(shown, show):
+def view(shown, document, show):
     view = show(View(), 200, 100)
-    shown.add(view)
+    view.follow(document, shown)
     return view
 
 

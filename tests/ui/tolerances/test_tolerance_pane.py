@@ -24,7 +24,7 @@ def frame(frames):
 def pane(session, frame, show, monkeypatch, qtbot):
     monkeypatch.setattr(pane_module, "_RAYS", RAYS)
     pane = TolerancePane()
-    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_threads())
     pane.show_design(session)
     pane.show_frame(frame)
     return show(pane, 760, 420)

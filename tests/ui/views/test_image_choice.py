@@ -6,10 +6,11 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from tests.accounts import account_of
 from tests.scene.test_images import SECOND
-from ui.views.image_link import ImageChoice, ImageLink
+from ui.views.choices import ImageChoice
 from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.light_view import LightView
 from ui.views.section_view import SectionView
+from ui.views.shared_view import SharedView
 from workbench.design.lens_state import FurtherLight
 from workbench.design.task import begin
 from workbench.pictures.images import shown_error, target_irradiance
@@ -26,7 +27,7 @@ def frame(make_scene, frames, tmp_path):
 
 @pytest.fixture
 def views(show):
-    link, window = ImageLink(), QWidget()
+    link, window = SharedView(), QWidget()
     views = [view(link) for view in (IrradianceView, TargetView, ErrorView, SectionView, LightView)]
     column = QVBoxLayout(window)
     for view in views:

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
-from ui.views.image_link import ImageLink
 from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.section_view import SectionView
+from ui.views.shared_view import SharedView
 from workbench.pictures.images import shown_error, target_irradiance
 
 
@@ -20,7 +20,7 @@ def frame(frames):
 @pytest.fixture
 def views(frame, show, qtbot):
     """Irradiance, target and error beside each other, drawn."""
-    link, window = ImageLink(), QWidget()
+    link, window = SharedView(), QWidget()
     views = [IrradianceView(link), TargetView(link), ErrorView(link)]
     row = QHBoxLayout(window)
     for view in views:
@@ -34,7 +34,7 @@ def views(frame, show, qtbot):
 @pytest.fixture
 def section(views, frame, show, qtbot):
     """A cross-section of the same light, drawn."""
-    section = SectionView(views[0]._link)
+    section = SectionView(views[0]._shared)
     section.show_frame(frame)
     show(section, 400, 260)
     qtbot.waitUntil(lambda: section._shown is not None)
@@ -85,7 +85,7 @@ def test_all_zoom_about_the_pointer(views, qtbot):
 
 
 def test_dragging_moves_all_no_farther_than_the_screen(views, qtbot):
-    views[0]._link.show_part((-0.5, 0.5, -0.5, 0.5))
+    views[0]._shared.show(part=(-0.5, 0.5, -0.5, 0.5))
     qtbot.waitUntil(lambda: limits(views[1]) == (-0.5, 0.5, -0.5, 0.5))
     canvas, start = views[1]._canvas, place(views[1], 0, 0)
     qtbot.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
@@ -139,7 +139,7 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(
 
 @pytest.mark.parametrize("with_tool", [False, True])
 def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, with_tool):
-    link, modifier = views[0]._link, Qt.KeyboardModifier.ShiftModifier
+    link, modifier = views[0]._shared, Qt.KeyboardModifier.ShiftModifier
     if with_tool:
         qtbot.mouseClick(views[0]._line_tool, Qt.MouseButton.LeftButton)
         qtbot.waitUntil(lambda: views[2]._line_tool.isChecked())
@@ -147,7 +147,7 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, wit
     drag(views[2], qtbot, (-0.5, 0.5), (0.5, -0.25), modifier)
     assert section._direction.checkedAction().text() == "Along a line"
     qtbot.waitUntil(lambda: section._curves._axes.get_xlim()[1] == pytest.approx(1.25, abs=0.02))
-    (x_0, y_0), (x_1, y_1) = link.line
+    (x_0, y_0), (x_1, y_1) = link.now.line
     np.testing.assert_allclose((x_0, y_0, x_1, y_1), (-0.5, 0.5, 0.5, -0.25), atol=0.01)
     # A slanted plane stays a straight line.
     light = section._curves.artists[1].get_ydata()
@@ -158,6 +158,6 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, wit
         assert not view._marks[0].get_visible()
     section._direction.actions()[0].trigger()
     qtbot.waitUntil(lambda: views[1]._marks[0].get_visible())
-    assert link.line is None
+    assert link.now.line is None
     section.hide()
-    assert link.pin is None
+    assert link.now.pin is None

@@ -16,7 +16,7 @@ class Hand:
     def __init__(self, window, qtbot):
         self.window, self._qtbot = window, qtbot
         self.view = window.loaded.views.docked["irradiance"]
-        self.canvas, self.link = self.view._canvas, window.loaded.views.link
+        self.canvas, self.link = self.view._canvas, window.loaded.views.shared
 
     def at(self, x, y):
         i, j = self.view._axes.transData.transform((x, y)) / self.canvas.device_pixel_ratio
@@ -27,7 +27,7 @@ class Hand:
         self._qtbot.mousePress(self.canvas, _LEFT, pos=first)
         for place in others:
             self._qtbot.mouseMove(self.canvas, place)
-        self._qtbot.waitUntil(lambda: bool(self.link.draft))
+        self._qtbot.waitUntil(lambda: bool(self.link.now.draft))
         self._qtbot.mouseRelease(self.canvas, _LEFT, pos=others[-1])
 
     def click(self, *place):
@@ -64,12 +64,12 @@ def test_a_drag_marks_a_rectangle_as_one_step(hand):
 def test_clicks_mark_a_polygon(hand):
     for place in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5)):
         hand.click(*place)
-    assert hand.regions == () and len(hand.link.draft) == 4  # closed
+    assert hand.regions == () and len(hand.link.now.draft) == 4  # closed
     hand.key(Qt.Key.Key_Return)
     (region,) = hand.regions
     assert isinstance(region, PolygonRegion) and len(region.corners) == 3
     assert region.corners[2] == pytest.approx((0.25, 0.25), abs=0.01)
-    assert hand.link.draft == ()
+    assert hand.link.now.draft == ()
 
 
 def test_sides_that_cross_are_refused_in_words(hand):
