@@ -1680,8 +1680,8 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
-            <source>outlook</source>
-            <translation>Vorschau</translation>
+            <source>estimate</source>
+            <translation>Schätzung</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
@@ -1810,6 +1810,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>sweep</source>
+            <translation>Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Choose a folder for the designs.</source>
             <translation>Einen Ordner für die Entwürfe wählen.</translation>
         </message>
@@ -1822,11 +1827,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Choose the folder</source>
             <translation>Den Ordner wählen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
-            <source>sweep</source>
-            <translation>Reihe</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -2385,13 +2385,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>ray trace of the lens</source>
-            <translation>Durchrechnung der Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>ray trace of the mirror</source>
-            <translation>Durchrechnung des Spiegels</translation>
+            <source>ray trace</source>
+            <translation>Strahlverfolgung</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -3525,6 +3520,11 @@
         </message>
         <message>
             <location filename="../../ui/run/check.py" />
+            <source>check</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check.py" />
             <source>The image is still being computed. Try again in a moment.</source>
             <translation>Das Bild wird noch berechnet. Gleich noch einmal versuchen.</translation>
         </message>
@@ -3552,11 +3552,6 @@
             <location filename="../../ui/run/check.py" />
             <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
             <translation>Prüfung mit {rays:,} Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit Strahlrauschen {relative_l2:.2f} ± {noise:.2f} %, Verlust {loss}; {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check.py" />
-            <source>check</source>
-            <translation>Prüfung</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3940,6 +3935,11 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
+            <source>live update</source>
+            <translation>Live-Aktualisierung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
             <source>design of the missing lens</source>
             <translation>Entwurf der fehlenden Linse</translation>
         </message>
@@ -3952,16 +3952,6 @@
             <location filename="../../ui/run/follow.py" />
             <source>Updating: error {error:.1f} %</source>
             <translation>Aktualisierung: Fehler {error:.1f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>design of the lens</source>
-            <translation>Entwurf der Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>design of the mirror</source>
-            <translation>Entwurf des Spiegels</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept_runs.py" />
@@ -4324,6 +4314,26 @@
             <translation>Unerwarteter Fehler: {error}. Bitte die Arbeit speichern.</translation>
         </message>
         <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Choose the image to show</source>
+            <translation>Anzuzeigendes Bild wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Face</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Choose the freeform face</source>
+            <translation>Freiformfläche wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>derivative map</source>
+            <translation>Ableitungskarte</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/derivative_view.py" />
             <source>Control point</source>
             <translation>Kontrollpunkt</translation>
@@ -4337,11 +4347,6 @@
             <location filename="../../ui/views/derivative_view.py" />
             <source>Computing…</source>
             <translation>Berechnung …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>derivative map</source>
-            <translation>Ableitungskarte</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4447,11 +4452,6 @@
             <location filename="../../ui/views/focus_view.py" />
             <source>Computed when the design rests.</source>
             <translation>Wird berechnet, wenn der Entwurf ruht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_link.py" />
-            <source>Choose the image to show</source>
-            <translation>Anzuzeigendes Bild wählen</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
@@ -4708,16 +4708,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
 {tip}</source>
             <translation>Von {start} bis {end} {unit}.
 {tip}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/surface_view.py" />
-            <source>Face</source>
-            <translation>Fläche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/surface_view.py" />
-            <source>Choose the freeform face</source>
-            <translation>Freiformfläche wählen</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/labels.py" />
@@ -9255,49 +9245,9 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{figure}; {remark}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
-            <translation>{angle:g} bringt Licht {steepest:g} Grad von der Achse, das nicht dorthin kommt ({front}); weniger als 90 insgesamt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} ist zu schmal für eine Linse mit halber Breite {half:g}; mindestens {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/diffuser.py" />
-            <source>the diffuser</source>
-            <translation>der Diffusor</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/element.py" />
             <source>'auto' needs a target to choose for; numbers</source>
             <translation>'auto' braucht ein Ziel, um zu wählen; Zahlen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/emission.py" />
-            <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
-            <translation>{parts} ergeben {across} × {up} Rechtecke; höchstens {most} insgesamt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{count} is too few for degree {degree}; at least {least}</source>
-            <translation>{count} sind zu wenige für Grad {degree}; mindestens {least}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} überspannt die Linse nicht; mehr als ihre halbe Diagonale {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} überspannt den Spiegel nicht; mehr als seine halbe Diagonale {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
@@ -9315,39 +9265,19 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{radius:g} endet innerhalb des Spiegels; dem Betrag nach mehr als {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>the file has {count} control points; {given}</source>
-            <translation>die Datei hat {count} Kontrollpunkte; {given}</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from the side of the light</source>
+            <translation>von der Lichtseite betrachtet</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
-            <translation>die Kontrollhöhen in {file} stehen in der Einheit der Szene; dieselbe Einheit</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from behind the screen</source>
+            <translation>von hinter dem Schirm betrachtet</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>[{low:g}, {high:g}] is empty; low before high</source>
-            <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
-            <translation>keine Matrix von Kontrollhöhen; eine .npy-Datei mit höchstens {most} × {most} endlichen Zahlen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/far_field.py" />
-            <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
-            <translation>{half:g} um {middle:g} reicht über {most:g} Grad hinaus; höchstens {left:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/far_field.py" />
-            <source>is at no distance; a screen is needed</source>
-            <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/grid_source.py" />
-            <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
-            <translation>{rays} von jedem der {points} Punkte sind zu viele; höchstens {most} Strahlen insgesamt</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from behind the far field</source>
+            <translation>von hinter dem Fernfeld betrachtet</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9410,9 +9340,14 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>'{file}' ist keines von diesen: {endings}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/mirror.py" />
+            <location filename="../../workbench/scene/mirror_diffuser.py" />
             <source>the mirror</source>
             <translation>der Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/mirror_diffuser.py" />
+            <source>the diffuser</source>
+            <translation>der Diffusor</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/part.py" />
@@ -9451,103 +9386,153 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
-            <source>{z:g} is not before {front}; less than {most:g}</source>
-            <translation>{z:g} liegt nicht davor ({front}); weniger als {most:g}</translation>
+            <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
+            <translation>{parts} ergeben {across} × {up} Rechtecke; höchstens {most} insgesamt</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} davor ({front}) ist zu nah für eine Linse mit halber Breite {size:g}; mindestens {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} davor ({front}) ist zu nah für einen Spiegel mit halber Breite {size:g}; mindestens {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} davor ({front}) ist zu fern für eine Linse mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} davor ({front}) ist zu fern für einen Spiegel mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
             <translation>{size:g} um {middle:g} endet jenseits des Empfängers; dort höchstens {most:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>have no area between them; a polygon with some</source>
             <translation>umschließen keine Fläche; ein Polygon mit Fläche</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>make sides that cross; in their order around the polygon</source>
             <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>{count} are given; at most {most}</source>
             <translation>{count} sind angegeben; höchstens {most}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
             <translation>{tilt} wendet dem Licht der Linse die Rückseite des Schirms zu; seine Vorderseite muss der ganzen Linse zugewandt sein</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
             <translation>{tilt} wendet dem Licht des Spiegels die Rückseite des Schirms zu; seine Vorderseite muss dem ganzen Spiegel zugewandt sein</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the lens; more than {least:g}, the highest that the exit face can become</source>
             <translation>{z:g} kann die Linse berühren; mehr als {least:g}, der höchste Wert, den die Austrittsfläche erreichen kann</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more than {least:g}, the highest that the exit face can become and the tilt adds</source>
             <translation>{z:g} legt seine unterste Kante auf z = {nearest:g}, was die Linse berühren kann; mehr als {least:g}, der höchste Wert, den die Austrittsfläche erreichen kann, und was die Neigung hinzufügt</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the lens, or be behind it; less than {most:g}, the lowest that it can become</source>
             <translation>{z:g} kann die Linse berühren oder hinter ihr liegen; weniger als {most:g}, der tiefste Wert, den sie erreichen kann</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the mirror, or be behind it; less than {most:g}, the lowest that it can become</source>
             <translation>{z:g} kann den Spiegel berühren oder hinter ihm liegen; weniger als {most:g}, der tiefste Wert, den er erreichen kann</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
-            <translation>zusammen mit einer Wellenlänge von {wavelength:g} µm angegeben; nur eines von beiden</translation>
+            <location filename="../../workbench/scene/receivers.py" />
+            <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
+            <translation>{half:g} um {middle:g} reicht über {most:g} Grad hinaus; höchstens {left:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>{count} lines are given; 1 to {most}</source>
-            <translation>{count} Linien sind angegeben; 1 bis {most}</translation>
+            <location filename="../../workbench/scene/receivers.py" />
+            <source>is at no distance; a screen is needed</source>
+            <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>all parts of the flux are 0; one above 0</source>
-            <translation>alle Anteile des Flusses sind 0; mindestens einer über 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/stages.py" />
+            <location filename="../../workbench/scene/run.py" />
             <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
             <translation>sie lassen keine der {count} Iterationen für die Szene selbst; mehr als {least} insgesamt sind nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/stages.py" />
+            <location filename="../../workbench/scene/run.py" />
             <source>unknown field; the automatic method has none</source>
             <translation>unbekanntes Feld; die automatische Methode hat keines</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{z:g} is not before {front}; less than {most:g}</source>
+            <translation>{z:g} liegt nicht davor ({front}); weniger als {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für eine Linse mit halber Breite {size:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für einen Spiegel mit halber Breite {size:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für eine Linse mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für einen Spiegel mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
+            <translation>{angle:g} bringt Licht {steepest:g} Grad von der Achse, das nicht dorthin kommt ({front}); weniger als 90 insgesamt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für eine Linse mit halber Breite {half:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{count} is too few for degree {degree}; at least {least}</source>
+            <translation>{count} sind zu wenige für Grad {degree}; mindestens {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt die Linse nicht; mehr als ihre halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt den Spiegel nicht; mehr als seine halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>the file has {count} control points; {given}</source>
+            <translation>die Datei hat {count} Kontrollpunkte; {given}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
+            <translation>die Kontrollhöhen in {file} stehen in der Einheit der Szene; dieselbe Einheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>[{low:g}, {high:g}] is empty; low before high</source>
+            <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
+            <translation>keine Matrix von Kontrollhöhen; eine .npy-Datei mit höchstens {most} × {most} endlichen Zahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/target.py" />
@@ -9585,59 +9570,74 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>'diffuser', was {who} nicht berücksichtigen kann; keiner</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>'{name}' is the name of another element; another name</source>
             <translation>'{name}' ist der Name eines anderen Elements; ein anderer Name</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>keine Fläche wird entworfen; eine Fläche der Form 'bspline'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>light leaves {name} at {angle:.0f} degrees from the z axis, too far for a far field; at most {most:g}, or a plane</source>
             <translation>Licht verlässt {name} unter {angle:.0f} Grad zur z-Achse, zu viel für ein Fernfeld; höchstens {most:g}, oder eine Ebene</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
             <translation>ein Empfänger bei z = {z:g} kann das Element {name} berühren; mehr als {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>a receiver at {place} may touch the element {name}, or gets none of its light; farther along the light, and across it</source>
             <translation>ein Empfänger bei {place} kann das Element {name} berühren oder erhält kein Licht davon; weiter entlang des Lichts und quer dazu</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as where it is turned by 180 degrees about its x</source>
             <translation>Licht trifft {name} von hinten, unter {angle:.0f} Grad zu dessen z; weniger als 90, etwa nach einer Drehung um 180 Grad um dessen x</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
             <translation>'{name}' steht hinter dem Diffusor {diffuser}; der Diffusor gehört ans Ende</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
             <translation>hinter einem Lambertschen Diffusor ergeben alle Linsen dasselbe Fernfeld; 'plane', oder {field}: 'gaussian'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>not parallel to the Lambertian diffuser {name}; its tilt</source>
             <translation>nicht parallel zum Lambertschen Diffusor {name}; dessen Neigung</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
             <translation>{z:g} ragt in {name} hinein; mindestens {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
             <translation>{place} liegt nicht, wohin Licht von {name} geht; {by:g} weiter entlang dessen Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>zusammen mit einer Wellenlänge von {wavelength:g} µm angegeben; nur eines von beiden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} Linien sind angegeben; 1 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>alle Anteile des Flusses sind 0; mindestens einer über 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />
@@ -9665,19 +9665,9 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>ist zusammen mit {one} angegeben; nur eines davon ist nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from the side of the light</source>
-            <translation>von der Lichtseite betrachtet</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from behind the screen</source>
-            <translation>von hinter dem Schirm betrachtet</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from behind the far field</source>
-            <translation>von hinter dem Fernfeld betrachtet</translation>
+            <location filename="../../workbench/scene/wide_sources.py" />
+            <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
+            <translation>{rays} von jedem der {points} Punkte sind zu viele; höchstens {most} Strahlen insgesamt</translation>
         </message>
         <message>
             <location filename="../../workbench/sweep/points.py" />

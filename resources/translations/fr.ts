@@ -1680,8 +1680,8 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
-            <source>outlook</source>
-            <translation>aperçu</translation>
+            <source>estimate</source>
+            <translation>estimation</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/outlook.py" />
@@ -1810,6 +1810,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>sweep</source>
+            <translation>série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Choose a folder for the designs.</source>
             <translation>Choisir un dossier pour les conceptions.</translation>
         </message>
@@ -1822,11 +1827,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Choose the folder</source>
             <translation>Choisir le dossier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
-            <source>sweep</source>
-            <translation>série</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -2385,13 +2385,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
-            <source>ray trace of the lens</source>
-            <translation>tracé de la lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>ray trace of the mirror</source>
-            <translation>tracé du miroir</translation>
+            <source>ray trace</source>
+            <translation>tracé de rayons</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -3525,6 +3520,11 @@
         </message>
         <message>
             <location filename="../../ui/run/check.py" />
+            <source>check</source>
+            <translation>vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check.py" />
             <source>The image is still being computed. Try again in a moment.</source>
             <translation>L'image est en cours de calcul. Réessayez dans un instant.</translation>
         </message>
@@ -3552,11 +3552,6 @@
             <location filename="../../ui/run/check.py" />
             <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
             <translation>Vérification avec {rays:,} rayons : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec le bruit des rayons {relative_l2:.2f} ± {noise:.2f} %, perte {loss} ; {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check.py" />
-            <source>check</source>
-            <translation>vérification</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3940,6 +3935,11 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
+            <source>live update</source>
+            <translation>mise à jour en direct</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
             <source>design of the missing lens</source>
             <translation>conception de la lentille manquante</translation>
         </message>
@@ -3952,16 +3952,6 @@
             <location filename="../../ui/run/follow.py" />
             <source>Updating: error {error:.1f} %</source>
             <translation>Mise à jour : erreur {error:.1f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>design of the lens</source>
-            <translation>conception de la lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>design of the mirror</source>
-            <translation>conception du miroir</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept_runs.py" />
@@ -4324,6 +4314,26 @@
             <translation>Erreur inattendue : {error}. Enregistrez votre travail.</translation>
         </message>
         <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Choose the image to show</source>
+            <translation>Choisir l'image à afficher</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Face</source>
+            <translation>Face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/choices.py" />
+            <source>Choose the freeform face</source>
+            <translation>Choisir la face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>derivative map</source>
+            <translation>carte de dérivées</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/derivative_view.py" />
             <source>Control point</source>
             <translation>Point de contrôle</translation>
@@ -4337,11 +4347,6 @@
             <location filename="../../ui/views/derivative_view.py" />
             <source>Computing…</source>
             <translation>Calcul…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>derivative map</source>
-            <translation>carte de dérivées</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4447,11 +4452,6 @@
             <location filename="../../ui/views/focus_view.py" />
             <source>Computed when the design rests.</source>
             <translation>Calculé quand la conception est au repos.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_link.py" />
-            <source>Choose the image to show</source>
-            <translation>Choisir l'image à afficher</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
@@ -4708,16 +4708,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
 {tip}</source>
             <translation>De {start} à {end} {unit}.
 {tip}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/surface_view.py" />
-            <source>Face</source>
-            <translation>Face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/surface_view.py" />
-            <source>Choose the freeform face</source>
-            <translation>Choisir la face de forme libre</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/labels.py" />
@@ -9255,49 +9245,9 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>{figure} ; {remark}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
-            <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour une lentille de demi-largeur {half:g} ; au moins {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/collimated_source.py" />
-            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/diffuser.py" />
-            <source>the diffuser</source>
-            <translation>le diffuseur</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/element.py" />
             <source>'auto' needs a target to choose for; numbers</source>
             <translation>'auto' demande une cible pour choisir ; des nombres</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/emission.py" />
-            <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
-            <translation>{parts} font {across} × {up} rectangles ; au plus {most} en tout</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{count} is too few for degree {degree}; at least {least}</source>
-            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
@@ -9315,39 +9265,19 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>{radius:g} s'arrête à l'intérieur du miroir ; plus de {least:g} en valeur absolue</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>the file has {count} control points; {given}</source>
-            <translation>le fichier a {count} points de contrôle ; {given}</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from the side of the light</source>
+            <translation>vu du côté de la lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
-            <translation>les hauteurs de contrôle de {file} sont dans l’unité de la scène ; la même unité</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from behind the screen</source>
+            <translation>vu de derrière l'écran</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>[{low:g}, {high:g}] is empty; low before high</source>
-            <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/faces.py" />
-            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
-            <translation>pas de tableau de hauteurs de contrôle ; un fichier .npy d’au plus {most} × {most} nombres finis</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/far_field.py" />
-            <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
-            <translation>{half:g} autour de {middle:g} dépasse {most:g} degrés ; au plus {left:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/far_field.py" />
-            <source>is at no distance; a screen is needed</source>
-            <translation>n'a pas de distance ; il faut un écran</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/grid_source.py" />
-            <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
-            <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
+            <location filename="../../workbench/scene/image.py" />
+            <source>viewed from behind the far field</source>
+            <translation>vu de derrière le champ lointain</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9410,9 +9340,14 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/mirror.py" />
+            <location filename="../../workbench/scene/mirror_diffuser.py" />
             <source>the mirror</source>
             <translation>le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/mirror_diffuser.py" />
+            <source>the diffuser</source>
+            <translation>le diffuseur</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/part.py" />
@@ -9451,103 +9386,153 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
-            <source>{z:g} is not before {front}; less than {most:g}</source>
-            <translation>{z:g} n'est pas devant ({front}) ; moins de {most:g}</translation>
+            <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
+            <translation>{parts} font {across} × {up} rectangles ; au plus {most} en tout</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour une lentille de demi-largeur {size:g} ; au moins {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour un miroir de demi-largeur {size:g} ; au moins {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour une lentille de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/points.py" />
-            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
             <translation>{size:g} autour de {middle:g} dépasse le récepteur ; au plus {most:g} à cet endroit</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>have no area between them; a polygon with some</source>
             <translation>n'entourent aucune surface ; un polygone qui en a une</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>make sides that cross; in their order around the polygon</source>
             <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
+            <location filename="../../workbench/scene/receiver.py" />
             <source>{count} are given; at most {most}</source>
             <translation>{count} sont donnés ; au plus {most}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
             <translation>{tilt} tourne le dos de l'écran vers la lumière de la lentille ; son avant doit faire face à toute la lentille</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
             <translation>{tilt} tourne le dos de l'écran vers la lumière du miroir ; son avant doit faire face à tout le miroir</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the lens; more than {least:g}, the highest that the exit face can become</source>
             <translation>{z:g} peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more than {least:g}, the highest that the exit face can become and the tilt adds</source>
             <translation>{z:g} met son bord le plus bas à z = {nearest:g}, qui peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre, et ce qu'ajoute l'inclinaison</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the lens, or be behind it; less than {most:g}, the lowest that it can become</source>
             <translation>{z:g} peut toucher la lentille ou être derrière elle ; moins de {most:g}, le plus bas qu'elle puisse atteindre</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
+            <location filename="../../workbench/scene/receivers.py" />
             <source>{z:g} may touch the mirror, or be behind it; less than {most:g}, the lowest that it can become</source>
             <translation>{z:g} peut toucher le miroir ou être derrière lui ; moins de {most:g}, le plus bas qu'il puisse atteindre</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
-            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
+            <location filename="../../workbench/scene/receivers.py" />
+            <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
+            <translation>{half:g} autour de {middle:g} dépasse {most:g} degrés ; au plus {left:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>{count} lines are given; 1 to {most}</source>
-            <translation>{count} raies sont données ; 1 à {most}</translation>
+            <location filename="../../workbench/scene/receivers.py" />
+            <source>is at no distance; a screen is needed</source>
+            <translation>n'a pas de distance ; il faut un écran</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/spectrum.py" />
-            <source>all parts of the flux are 0; one above 0</source>
-            <translation>toutes les parts du flux sont 0 ; une au-dessus de 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/stages.py" />
+            <location filename="../../workbench/scene/run.py" />
             <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
             <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/stages.py" />
+            <location filename="../../workbench/scene/run.py" />
             <source>unknown field; the automatic method has none</source>
             <translation>champ inconnu ; la méthode automatique n'en a pas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{z:g} is not before {front}; less than {most:g}</source>
+            <translation>{z:g} n'est pas devant ({front}) ; moins de {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} devant ({front}) est trop près pour une lentille de demi-largeur {size:g} ; au moins {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} devant ({front}) est trop près pour un miroir de demi-largeur {size:g} ; au moins {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} devant ({front}) est trop loin pour une lentille de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
+            <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} est trop étroit pour une lentille de demi-largeur {half:g} ; au moins {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{count} is too few for degree {degree}; at least {least}</source>
+            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>the file has {count} control points; {given}</source>
+            <translation>le fichier a {count} points de contrôle ; {given}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>the control heights in {file} are in the unit of the scene; the same unit</source>
+            <translation>les hauteurs de contrôle de {file} sont dans l’unité de la scène ; la même unité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>[{low:g}, {high:g}] is empty; low before high</source>
+            <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/spline_face.py" />
+            <source>no array of control heights; a .npy file of at most {most} × {most} finite numbers</source>
+            <translation>pas de tableau de hauteurs de contrôle ; un fichier .npy d’au plus {most} × {most} nombres finis</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/target.py" />
@@ -9585,59 +9570,74 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>'diffuser', ce que {who} ne peut pas prendre en compte ; aucun</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>'{name}' is the name of another element; another name</source>
             <translation>'{name}' est le nom d'un autre élément ; un autre nom</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>aucune face n'est à concevoir ; une face de forme 'bspline'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>light leaves {name} at {angle:.0f} degrees from the z axis, too far for a far field; at most {most:g}, or a plane</source>
             <translation>la lumière quitte {name} à {angle:.0f} degrés de l'axe z, trop pour un champ lointain ; au plus {most:g}, ou un plan</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
             <translation>un récepteur à z = {z:g} peut toucher l'élément {name} ; plus de {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>a receiver at {place} may touch the element {name}, or gets none of its light; farther along the light, and across it</source>
             <translation>un récepteur en {place} peut toucher l'élément {name}, ou n'en reçoit pas de lumière ; plus loin le long de la lumière, et en travers</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as where it is turned by 180 degrees about its x</source>
             <translation>la lumière arrive au dos de {name}, à {angle:.0f} degrés de son z ; moins de 90, par exemple après une rotation de 180 degrés autour de son x</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>'{name}' is behind the diffuser {diffuser}; move the diffuser to the end</source>
             <translation>'{name}' est derrière le diffuseur {diffuser} ; placez le diffuseur à la fin</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>behind a Lambertian diffuser all lenses make the same far field; 'plane', or {field}: 'gaussian'</source>
             <translation>derrière un diffuseur lambertien, toutes les lentilles donnent le même champ lointain ; 'plane', ou {field}: 'gaussian'</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>not parallel to the Lambertian diffuser {name}; its tilt</source>
             <translation>pas parallèle au diffuseur lambertien {name} ; son inclinaison</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
             <translation>{z:g} empiète sur {name} ; au moins {least:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/train_checks.py" />
+            <location filename="../../workbench/scene/train.py" />
             <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
             <translation>{place} n'est pas où va la lumière de {name} ; {by:g} plus loin le long de son axe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} raies sont données ; 1 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>toutes les parts du flux sont 0 ; une au-dessus de 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />
@@ -9665,19 +9665,9 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>est donné avec {one} ; il faut l'un des deux</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from the side of the light</source>
-            <translation>vu du côté de la lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from behind the screen</source>
-            <translation>vu de derrière l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/viewing.py" />
-            <source>viewed from behind the far field</source>
-            <translation>vu de derrière le champ lointain</translation>
+            <location filename="../../workbench/scene/wide_sources.py" />
+            <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
+            <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/sweep/points.py" />
