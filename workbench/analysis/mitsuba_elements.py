@@ -17,7 +17,7 @@ from workbench.geometry.face_grids import face_normals, face_points
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
-from workbench.scene import ConicFace, Element, Lens, Mirror, Scene, Screen
+from workbench.scene import Element, Lens, Mirror, Scene, Screen
 from workbench.scene.part import row_of
 
 Indices = npt.NDArray[np.uint32]
@@ -26,7 +26,7 @@ Shapes = dict[str, Any]
 # Least number of cells of the mesh of a freeform face along each axis; they divide the knot spans
 # evenly.
 _CELLS = 1024
-# The same of a conic face, and of a plane face within an ellipse.
+# The same of a curved fixed face, and of a plane face within an ellipse.
 _SMOOTH, _ROUND = 512, 256
 # In half-widths of the designed element: how far a baffle goes.
 _BAFFLE = 1000.0
@@ -57,7 +57,7 @@ class _Placed(NamedTuple):
         if net is not None:
             spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
             counts = [count * -(-_CELLS // count) for count in spans]
-        elif any(isinstance(placed.face, ConicFace) for placed in self.element.placed_faces):
+        elif not all(placed.face.flat for placed in self.element.placed_faces):
             counts = [_SMOOTH, _SMOOTH]
         else:
             counts = [1, 1] if outline_of(self.element).whole else [_ROUND, _ROUND]

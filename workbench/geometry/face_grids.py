@@ -25,7 +25,7 @@ def face_points(
         x, y, z, *_ = net.over(outline, u, v, heights[placed.name])
     else:
         x, y = outline.from_square(u[:, None], v)
-        z = placed.z + (face.base if isinstance(face, SplineFace) else face).sag(x, y)
+        z = placed.z + face.base.sag(x, y)
     return element.in_scene(np.stack([x, y, z], axis=-1))
 
 

@@ -1,7 +1,6 @@
 """Faces in the order in which light meets them: those of the elements of a train.
 
-A new kind of element is its fields in `workbench.scene`, and a row in ``_FACES``; a new shape of
-a fixed face is a case of `_fixed`.
+A new kind of element is its fields in `workbench.scene`, and a row in ``_FACES``.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -15,15 +14,13 @@ from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction, TransmittanceLaw
-from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
+from workbench.optics.surfaces import BSplineSurface, Surface, fixed_surface
 from workbench.scene import (
-    ConicFace,
     Diffuser,
     Element,
     Lens,
     Mirror,
     PlacedFace,
-    PlaneFace,
     Scene,
 )
 
@@ -119,12 +116,7 @@ def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
 
 
 def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
-    match placed.face:
-        case PlaneFace():
-            return Plane(placed.name, z, outline)
-        case ConicFace(radius=radius, conic=conic, coefficients=coefficients):
-            return Conic(placed.name, z, 1 / radius, conic, outline, coefficients)
-    raise TypeError(f"a fixed face of shape {placed.face.shape} is not traced")
+    return fixed_surface(placed.face.undesigned, placed.name, z, outline)
 
 
 def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:

@@ -7,8 +7,6 @@ from workbench.scene import Element, Face, Part, Scene
 from workbench.scene.part import title_of
 
 _HEADER = ("Element", "Kind", "Material", "Position", "Tilt", "Thickness", "Half width", "Faces")
-# Fields of a face that tell its shape, where it has them.
-_SHAPE = ("radius", "conic", "coefficients", "control_points")
 _NONE = "–"
 
 
@@ -40,10 +38,13 @@ def _material(element: Element, words: str) -> str:
 
 
 def _face(face: Face, scene: Scene) -> str:
+    told = [field for field in face.fields() if field.name != "shape"]
+    if face.designed:
+        told = [field for field in told if field.name == "control_points"]
     shape = [
         f"{field.title.lower()} {field_words(face, field, scene)}"
-        for field in face.fields()
-        if field.name in _SHAPE and getattr(face, field.name) not in ((), 0.0)
+        for field in told
+        if getattr(face, field.name) not in ((), 0.0)
     ]
     title = title_of(type(face))
     return ", ".join([title if title[1:2] == "-" else title.lower(), *shape])

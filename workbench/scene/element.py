@@ -163,9 +163,7 @@ class Element(Part):
         """Corners (8, 3) in the scene of the box around an element before its design."""
         ends: list[float] = []
         for placed in self.placed_faces:
-            face = placed.face
-            base = PlacedBase(face.base if isinstance(face, SplineFace) else face, placed.z)
-            ends += base.extent(self.half_width)
+            ends += PlacedBase(placed.face.base, placed.z).extent(self.half_width)
         sides = [(-r, r) for r in self.half_width]
         return self.in_scene(np.array(list(product(*sides, (min(ends), max(ends))))))
 
@@ -281,8 +279,7 @@ class Element(Part):
     @property
     def base(self) -> PlacedBase:
         """Base of that face at its place in the scene; of a fixed face, the face itself."""
-        face = self._shaped.face
-        return PlacedBase(face.base if isinstance(face, SplineFace) else face, self._shaped.z)
+        return PlacedBase(self._shaped.face.base, self._shaped.z)
 
     @property
     def entrance(self) -> Face:

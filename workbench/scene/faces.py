@@ -5,6 +5,7 @@ vertex stands is a matter of the element.
 """
 
 import math
+from abc import abstractmethod
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
@@ -33,56 +34,118 @@ _MOST_COEFFICIENTS = 8
 _STEPS = 65  # at which the sag of an asphere is evaluated along each axis
 
 
-class PlaneFace(Part):
-    """A plane across the axis."""
+class AnyFixedFace(Part):
+    """What each shape of a fixed face says of itself, so that nobody has to ask for its shape.
 
-    model_config = ConfigDict(title="Plane")
+    A new shape is a class here with the fields of the file, and a member of `FixedFace`; the
+    formula by which rays meet it stands in `workbench.optics.surfaces.sag`, and for the check in
+    `workbench.analysis.tracing.surfaces.fixed`.
+    """
 
-    shape: Literal["plane"] = "plane"
     designed: ClassVar[bool] = False
-    height_range: ClassVar = None
+    height_range: ClassVar[None] = None
+    flat: ClassVar[bool] = False
+    """Whether it is a plane across the axis."""
+    rotational: ClassVar[bool] = False
+    """Whether it is a surface of revolution about its axis."""
+    if TYPE_CHECKING:  # each kind has this field
+        shape: str
+
+    @abstractmethod
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast."""
+
+    @abstractmethod
+    def normal(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Unit normals to +z at (x, y), with a last axis of 3; x and y broadcast."""
 
     @property
-    def undesigned(self) -> "PlaneFace":
+    @abstractmethod
+    def vertex_curvature(self) -> float:
+        """Mean curvature at the vertex, positive where the centre lies on the +z side."""
+
+    @abstractmethod
+    def turned(self) -> Self:
+        """The same face seen from behind: turned by 180° about its x."""
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """Radius of the sphere that it is part of, signed as its curvature; None of others."""
+        return None
+
+    @property
+    def base(self) -> Self:
+        """The shape itself; a B-spline has a base of its own."""
+        return self
+
+    @property
+    def undesigned(self) -> Self:
         """The same face: a design leaves it as it is."""
         return self
 
-    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
-        """Height above the vertex, scene units; x and y broadcast."""
-        return np.zeros(np.broadcast(x, y).shape)
-
-    def normal(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
-        """Unit normals to +z at (x, y), with a last axis of 3; x and y broadcast."""
-        return np.broadcast_to([0.0, 0.0, 1.0], (*np.broadcast(x, y).shape, 3))
-
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
         """Lowest and highest sag over the aperture."""
-        return 0.0, 0.0
+        x, y = (np.linspace(-r, r, 2 * _STEPS - 1) for r in half_width)
+        sag = self.sag(x[:, None], y)
+        return float(sag.min()), float(sag.max())
 
     def net(self, other: NetShape) -> None:
         """No control points."""
 
-    def offsets(self, most: float) -> tuple[float, float]:
-        """Return no offsets from the vertex; see `SplineFace.offsets`."""
-        return 0.0, 0.0
+    def offsets(self, most: float, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Return its extent; see `SplineFace.offsets`."""
+        return self.extent(half_width)
 
-    def within(self, offsets: tuple[float, float]) -> "PlaneFace":
+    def within(self, offsets: tuple[float, float]) -> Self:
         """Return the same face: it has no bounds."""
         return self
+
+    @abstractmethod
+    def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
+        """Refuse a shape that ends within the rim of the element, so far from its axis."""
+
+
+class PlaneFace(AnyFixedFace):
+    """A plane across the axis."""
+
+    model_config = ConfigDict(title="Plane")
+    flat = True
+    rotational = True
+
+    shape: Literal["plane"] = "plane"
+
+    @property
+    def vertex_curvature(self) -> float:
+        """None: 0."""
+        return 0.0
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """See `AnyFixedFace.sag`."""
+        return np.zeros(np.broadcast(x, y).shape)
+
+    def normal(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """See `AnyFixedFace.normal`."""
+        return np.broadcast_to([0.0, 0.0, 1.0], (*np.broadcast(x, y).shape, 3))
+
+    def turned(self) -> Self:
+        """See `AnyFixedFace.turned`."""
+        return self
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """See `AnyFixedFace.extent`."""
+        return 0.0, 0.0
 
     def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
         """Refuse nothing: a plane suits any element."""
 
 
-class ConicFace(Part):
+class ConicFace(AnyFixedFace):
     """A surface of revolution: a conic with aspheric coefficients (ISO 10110-12)."""
 
     model_config = ConfigDict(title="Conic")
+    rotational = True
 
     shape: Literal["conic"] = "conic"
-    designed: ClassVar[bool] = False
-    height_range: ClassVar = None
-
     radius: Annotated[
         float,
         LENGTH,
@@ -121,9 +184,19 @@ class ConicFace(Part):
         return super().scaled(factor).model_copy(update={"coefficients": coefficients})
 
     @property
-    def undesigned(self) -> "ConicFace":
-        """The same face: a design leaves it as it is."""
-        return self
+    def vertex_curvature(self) -> float:
+        """See `AnyFixedFace.vertex_curvature`."""
+        return 1 / self.radius
+
+    @property
+    def sphere_radius(self) -> float | None:
+        """See `AnyFixedFace.sphere_radius`."""
+        return None if self.conic or any(self.coefficients) else self.radius
+
+    def turned(self) -> Self:
+        """See `AnyFixedFace.turned`."""
+        negative = tuple(-each for each in self.coefficients)
+        return self.model_copy(update={"radius": -self.radius, "coefficients": negative})
 
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast.
@@ -149,23 +222,12 @@ class ConicFace(Part):
         return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
 
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
-        """Lowest and highest sag over the aperture."""
+        """See `AnyFixedFace.extent`."""
         x, y = (np.linspace(0, r, _STEPS) for r in half_width)
         r2 = np.square(x)[:, None] + np.square(y)
         there = (1 + self.conic) * r2 <= self.radius**2  # corners of an ellipse may be beyond it
         sag = self.sag(x[:, None], y)[there]
         return float(sag.min()), float(sag.max())
-
-    def net(self, other: NetShape) -> None:
-        """No control points."""
-
-    def offsets(self, most: float) -> tuple[float, float]:
-        """Return no offsets from its shape; see `SplineFace.offsets`."""
-        return 0.0, 0.0
-
-    def within(self, offsets: tuple[float, float]) -> "ConicFace":
-        """Return the same face: it has no bounds."""
-        return self
 
     def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
         """Refuse a surface that ends within the rim of the element, so far from its axis."""
@@ -182,3 +244,6 @@ class ConicFace(Part):
                     least=rim * math.sqrt(1 + self.conic),
                 ),
             )
+
+
+FixedFace = PlaneFace | ConicFace

@@ -31,7 +31,6 @@ from workbench.scene.element import (
     PlacedFace,
     relative,
 )
-from workbench.scene.faces import ConicFace
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
@@ -322,9 +321,7 @@ class Lens(Element):
     @property
     def entrance_offsets(self) -> tuple[float, float]:
         """How far the entrance face can come from its place, down and up."""
-        if isinstance(self.entrance, ConicFace):
-            return self.entrance.extent(self.half_width)
-        return self.entrance.offsets(self._room_at_entrance)
+        return self.entrance.offsets(self._room_at_entrance, self.half_width)
 
     @property
     def datum(self) -> float:
@@ -405,7 +402,7 @@ class Lens(Element):
         rise = min(self._room_at_entrance, _NEAR_RISE * (self.entrance_z - source_z))
         if not several:
             rise = min(rise, _RISE * max(self.half_width))
-        entrance = self.entrance.within(self.entrance.offsets(rise))
+        entrance = self.entrance.within(self.entrance.offsets(rise, self.half_width))
         lens = self.with_front(entrance)
         if self.height_range is not None or self.max_thickness is not None:
             return lens

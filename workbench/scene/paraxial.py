@@ -13,7 +13,6 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.scene.element import Element
-from workbench.scene.faces import ConicFace
 from workbench.scene.lens import Lens
 from workbench.scene.mirror_diffuser import Mirror
 from workbench.scene.points import PointSource
@@ -208,10 +207,7 @@ def _vertices(element: Element, way: Array, axis: Array) -> list[_Vertex]:
     z is counted along the axis, from the front vertex of the element.
     """
     side = 1.0 if axis @ element.turn[:, 2] > 0 else -1.0
-    curvatures = [
-        1 / placed.face.radius if isinstance(placed.face, ConicFace) else 0.0
-        for placed in element.placed_faces
-    ]
+    curvatures = [placed.face.vertex_curvature for placed in element.placed_faces]
     if not isinstance(element, Lens):
         towards = 1.0 if way @ element.turn[:, 2] > 0 else -1.0
         return [_Vertex(0.0, -2 * towards * curvatures[0], 1.0, 1.0)]

@@ -2,6 +2,7 @@
 
 import io
 import math
+from abc import abstractmethod
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -13,7 +14,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.faces import LARGEST_NET, ConicFace, Degree, NetShape, PlaneFace
+from workbench.scene.faces import LARGEST_NET, ConicFace, Degree, FixedFace, NetShape, PlaneFace
 from workbench.scene.fields import FILE, LENGTH, RANGE, AutoNet, NumbersOrAuto, about
 from workbench.scene.part import Content, Kinds, Part, Positive
 
@@ -42,7 +43,30 @@ def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> Non
             )
 
 
-class FlatBase(Part):
+class _AnyBase(Part):
+    """A base has the shape of a fixed face."""
+
+    if TYPE_CHECKING:  # each kind has this field
+        shape: str
+
+    @property
+    @abstractmethod
+    def face(self) -> FixedFace:
+        """The fixed face of the same shape."""
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast."""
+        return self.face.sag(x, y)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest sag over the aperture."""
+        return self.face.extent(half_width)
+
+    def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse a base that ends within the rim; the path is that of the base."""
+
+
+class FlatBase(_AnyBase):
     """A plane across the axis."""
 
     model_config = ConfigDict(title="Flat")
@@ -50,23 +74,12 @@ class FlatBase(Part):
     shape: Literal["flat"] = "flat"
 
     @property
-    def face(self) -> "PlaneFace":
-        """The fixed face of the same shape."""
+    def face(self) -> PlaneFace:
+        """A plane."""
         return PlaneFace()
 
-    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
-        """Height above the vertex, scene units; x and y broadcast."""
-        return np.zeros(np.broadcast(x, y).shape)
 
-    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
-        """Lowest and highest sag over the aperture."""
-        return 0.0, 0.0
-
-    def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
-        """Refuse nothing: a plane suits any element."""
-
-
-class SphereBase(Part):
+class SphereBase(_AnyBase):
     """A spherical cap that rises or falls towards the rim."""
 
     model_config = ConfigDict(title="Sphere")
@@ -86,26 +99,14 @@ class SphereBase(Part):
     ] = "concave"
 
     @property
-    def face(self) -> "ConicFace":
-        """The fixed face of the same shape."""
+    def face(self) -> ConicFace:
+        """A sphere."""
         return ConicFace(radius=self.radius if self.form == "concave" else -self.radius)
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Shallow enough for any lens or mirror that a flat base was good for."""
         return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
-
-    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
-        """Height above the vertex, scene units; x and y broadcast."""
-        r2 = np.square(x) + np.square(y)
-        # R − √(R² − r²) without the cancellation of two large numbers.
-        sag = r2 / (self.radius + np.sqrt(self.radius**2 - r2))
-        return np.asarray(sag if self.form == "concave" else -sag)
-
-    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
-        """Lowest and highest sag over the aperture."""
-        rim = float(self.sag(*half_width))
-        return min(rim, 0.0), max(rim, 0.0)
 
     def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
         """Refuse a radius beyond what can be computed with, or a cap that ends within the rim."""
@@ -131,13 +132,13 @@ class PlacedBase(NamedTuple):
 
     Attributes
     ----------
-    base : FlatBase, SphereBase, PlaneFace or ConicFace
+    base : FlatBase, SphereBase or a fixed face
         Its shape.
     height : float
         z of its vertex, scene units.
     """
 
-    base: "FlatBase | SphereBase | PlaneFace | ConicFace"
+    base: FlatBase | SphereBase | FixedFace
     height: float
 
     @property
@@ -206,6 +207,7 @@ class SplineFace(Part):
         ),
     ] = None
     designed: ClassVar[bool] = True
+    flat: ClassVar[bool] = False
     _content: Content = PrivateAttr(default_factory=Content)
 
     @property
@@ -258,16 +260,21 @@ class SplineFace(Part):
         return face
 
     @property
-    def undesigned(self) -> PlaneFace | ConicFace:
+    def undesigned(self) -> FixedFace:
         """The fixed face that it is before the design: its base."""
         return self.base.face
+
+    @property
+    def vertex_curvature(self) -> float:
+        """Curvature at the vertex of its base."""
+        return self.base.face.vertex_curvature
 
     def net(self, other: NetShape) -> tuple[NetShape, tuple[int, int]]:
         """Numbers of control points and degrees beside another face with so many points."""
         points = self.control_points
         return other if isinstance(points, AutoNet) else points, self.degree
 
-    def offsets(self, most: float) -> tuple[float, float]:
+    def offsets(self, most: float, half_width: tuple[float, float]) -> tuple[float, float]:
         """Lowest and highest offset from the base; automatic bounds reach up to ``most``."""
         return (0.0, most) if self.height_range is None else self.height_range
 
@@ -327,4 +334,4 @@ def _read_heights(data: bytes) -> Array:
     return heights.astype(np.float64)
 
 
-Face = Annotated[PlaneFace | ConicFace | SplineFace, Kinds("shape", title="Shape")]
+Face = Annotated[FixedFace | SplineFace, Kinds("shape", title="Shape")]

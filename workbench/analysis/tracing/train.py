@@ -23,19 +23,18 @@ from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import (
-    ConicSurface,
     FlatFace,
     FrontFace,
     LaterFace,
     MovedFace,
     PlacedSurface,
     SplineFace,
+    fixed_surface,
 )
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import AnyReceiver, ConicFace, Diffuser, Element, Lens, Mirror, Scene
-from workbench.scene.spline_face import Face
+from workbench.scene import AnyReceiver, Diffuser, Element, Lens, Mirror, Scene
 from workbench.scene.train import check_receivers
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -222,15 +221,8 @@ def _fixed_lens(lens: Lens, stands: _Stands) -> Sequence[tuple[TracedFace, Bound
 def _fixed_face(lens: Lens, number: int, z: float, aperture_z: float | None) -> TracedFace:
     """The front face (0) or the back face (1) of a lens, its vertex at z."""
     missed = ("missed_lens", "left_side")[number]
-    return _fixed_surface(lens.faces[number], lens, missed, z, aperture_z)
-
-
-def _fixed_surface(
-    face: Face, element: Element, missed: str, z: float, aperture_z: float | None
-) -> TracedFace:
-    if isinstance(face, ConicFace):
-        return ConicSurface(face, z, outline_of(element), missed, aperture_z)
-    return FlatFace(z, outline_of(element), missed)
+    face = lens.faces[number].undesigned
+    return fixed_surface(face, z, outline_of(lens), missed, aperture_z)
 
 
 def _refracting(
@@ -253,12 +245,10 @@ def _designed_mirror(
 
 def _fixed_mirror(mirror: Mirror, stands: _Stands) -> Sequence[tuple[TracedFace, Boundary]]:
     """The face of a mirror that is not designed, z from its vertex."""
-    face = mirror.face
-    if stands.turned and isinstance(face, ConicFace):
-        coefficients = tuple(-each for each in face.coefficients)
-        face = face.model_copy(update={"radius": -face.radius, "coefficients": coefficients})
+    face = mirror.face.undesigned
     aperture_z = mirror.front_z - mirror.position[2] if stands.first else None
-    surface = _fixed_surface(face, mirror, "missed_mirror", 0.0, aperture_z)
+    face = face.turned() if stands.turned else face
+    surface = fixed_surface(face, 0.0, outline_of(mirror), "missed_mirror", aperture_z)
     return ((surface, MirrorBoundary(mirror.reflectance)),)
 
 

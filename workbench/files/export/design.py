@@ -16,7 +16,7 @@ from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
 from workbench.progress import Progress, no_progress
-from workbench.scene import ConicFace, Element, Scene
+from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -110,7 +110,7 @@ class Design:
     def check_flat_side(self) -> None:
         """Refuse a conic front face before the designed one, which solids do not have yet."""
         optic, front = self.optic, self.optic.placed_faces[0]
-        if len(optic.placed_faces) > 1 and isinstance(front.face, ConicFace):
+        if len(optic.placed_faces) > 1 and not (front.face.designed or front.face.flat):
             raise Refused(
                 self.scene.face_path(front.name),
                 Message("a conic front face of the designed element is not exported; a plane one"),

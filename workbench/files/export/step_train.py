@@ -1,6 +1,6 @@
 """STEP: all elements of a train as named solids in one file, each in its place.
 
-Plane and spherical faces are planes and spheres. Other conics, and the rims of faces that are no
+Plane and spherical faces are planes and spheres. Other faces, and the rims of faces that are no
 circles, are fitted by B-splines; the error is reported. Designed elements are as in `step`.
 """
 
@@ -30,7 +30,8 @@ from workbench.geometry.face_grids import element_sides
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
-from workbench.scene import ConicFace, Element, Face, PlaneFace, SplineFace
+from workbench.scene import Element, Face, PlaneFace
+from workbench.scene.part import title_of
 
 _DEGREE = 5
 # Fewest and most control points along each axis of a fitted face.
@@ -69,12 +70,10 @@ def write_step_train(design: Design, file: BinaryIO) -> Deviation:
 
 
 class _FixedFace:
-    """A plane or a conic within an outline, in the coordinates of its element."""
+    """A fixed face within an outline, in the coordinates of its element."""
 
     def __init__(self, element: Element, face: Face, z: float) -> None:
-        if isinstance(face, SplineFace):
-            raise TypeError(f"a B-spline face of {element.name} needs control heights")
-        self._outline, self._face, self._z = outline_of(element), face, z
+        self._outline, self._face, self._z = outline_of(element), face.undesigned, z
         self._half_width = element.half_width
 
     @cached_property
@@ -120,34 +119,30 @@ class _FixedFace:
     def _flat(self) -> bool:
         """Whether its rim is in a plane across the axis."""
         round_ = not self._outline.whole and len(set(self._half_width)) == 1
-        return round_ or isinstance(self._face, PlaneFace)
+        return self._face.flat or (round_ and self._face.rotational)
 
     @property
     def off(self) -> float:
         """Error of what is fitted."""
-        exact = isinstance(self._face, PlaneFace) or (self._flat and self._is_sphere)
+        exact = self._face.flat or (self._flat and self._face.sphere_radius is not None)
         return 0.0 if exact else self.fitted[2]
-
-    @property
-    def _is_sphere(self) -> bool:
-        face = self._face
-        return isinstance(face, ConicFace) and face.conic == 0 and not any(face.coefficients)
 
     def skin(self, model: Model) -> Skin:
         """Add its surface."""
-        face = self._face
-        if isinstance(face, PlaneFace):
+        radius = self._face.sphere_radius
+        if self._face.flat:
             return Skin(model.plane((0, 0, self._z), (0, 0, 1), (1, 0, 0)))
-        if self._is_sphere:
+        if radius is not None:
             # Its poles and its seam are beside the face.
-            away = 1 if face.radius > 0 else -1
-            centre = (0, 0, self._z + face.radius)
-            place = model.placement(centre, (0, 1, 0), (0, 0, away))
-            radius = real(abs(face.radius))
-            return Skin(model.add(f"SPHERICAL_SURFACE('',{place},{radius})"), face.radius > 0)
+            away = 1 if radius > 0 else -1
+            place = model.placement((0, 0, self._z + radius), (0, 1, 0), (0, 0, away))
+            sphere = f"SPHERICAL_SURFACE('',{place},{real(abs(radius))})"
+            return Skin(model.add(sphere), radius > 0)
         net, points, _ = self.fitted
         entities = [[model.point(place) for place in row] for row in points.tolist()]
-        return Skin(spline_surface(model, net, entities, "conic face"))
+        return Skin(
+            spline_surface(model, net, entities, f"{title_of(type(self._face)).lower()} face")
+        )
 
     def rim(self, model: Model) -> list[str]:
         """Add the curves of its sides, counterclockwise from above."""

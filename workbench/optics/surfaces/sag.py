@@ -1,7 +1,12 @@
-"""Rotational conics and aspheres, and faces whose sag is a function in torch."""
+"""Fixed faces: rotational conics and aspheres, and faces whose sag is a function in torch.
+
+A new shape of a fixed face is a row in ``_SHAPES``: `Sag` traces any smooth function. The compiled
+train knows planes and conics; rays pass other shapes in torch.
+"""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import torch
@@ -9,7 +14,8 @@ from torch import Tensor
 
 from workbench.geometry.outlines import Outline
 from workbench.optics.rays import RayBundle
-from workbench.optics.surfaces.surface import Meeting
+from workbench.optics.surfaces.surface import Meeting, Plane, Surface
+from workbench.scene.faces import ConicFace, FixedFace, PlaneFace
 
 SagFunction = Callable[[Tensor, Tensor], Tensor]
 
@@ -30,6 +36,8 @@ class Sag:
         What of it is glass.
     name : str
         What it is called.
+    freeform : bool
+        Whether what the sag depends on may change between two walks.
 
     Notes
     -----
@@ -38,14 +46,15 @@ class Sag:
     """
 
     kind = "sag"
-    freeform = True  # what the sag depends on may change between two walks
 
-    def __init__(self, sag: SagFunction, outline: Outline, name: str = "sag") -> None:
-        self.sag, self.outline, self.name = sag, outline, name
+    def __init__(
+        self, sag: SagFunction, outline: Outline, name: str = "sag", freeform: bool = True
+    ) -> None:
+        self.sag, self.outline, self.name, self.freeform = sag, outline, name, freeform
 
     def from_behind(self) -> "Sag":
         """See `Surface.from_behind`."""
-        return Sag(lambda x, y: -self.sag(x, -y), self.outline, self.name)
+        return Sag(lambda x, y: -self.sag(x, -y), self.outline, self.name, self.freeform)
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the face; see `Surface.meet`."""
@@ -273,3 +282,16 @@ class Conic:
         sag, rise = self._sag(torch.where(within, r2, self.reach2))
         slope = 2 * rise * (a * x + b * y)
         return sag - depth, torch.where(within, slope, 0.0) - 1
+
+
+_SHAPES: Mapping[type, Callable[[Any, str, float, Outline], Surface]] = {
+    PlaneFace: lambda _, *placed: Plane(*placed),
+    ConicFace: lambda face, name, z, outline: Conic(
+        name, z, 1 / face.radius, face.conic, outline, face.coefficients
+    ),
+}
+
+
+def fixed_surface(face: FixedFace, name: str, z: float, outline: Outline) -> Surface:
+    """Return the surface of a fixed face with its vertex at a z; see `Surface` for the rest."""
+    return _SHAPES[type(face)](face, name, z, outline)

@@ -1,6 +1,6 @@
 """Faces that rays meet: a file for each kind."""
 
-from workbench.analysis.tracing.surfaces.conic import ConicSurface
+from workbench.analysis.tracing.surfaces.fixed import ConicSurface, fixed_surface
 from workbench.analysis.tracing.surfaces.flat import FlatFace
 from workbench.analysis.tracing.surfaces.moved import MovedFace
 from workbench.analysis.tracing.surfaces.placed import PlacedSurface
@@ -14,4 +14,5 @@ __all__ = [
     "MovedFace",
     "PlacedSurface",
     "SplineFace",
+    "fixed_surface",
 ]
