@@ -1,16 +1,15 @@
 """The questions of a job, as the rows of the window's forms ask them."""
 
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from ui.panels.edits import Edit, Waiting, put, try_with_waiting
-from ui.panels.fields import Row, TextRow
-from ui.panels.images import image_rows, of_image
-from ui.panels.rows import KindRow, Make, Rows
-from ui.panels.scene import file_rows
+from ui.panels.edits import Edit, put
+from ui.panels.entries import RowEntries
+from ui.panels.fields import TextRow
+from ui.panels.images import of_image
+from ui.panels.rows import KindRow, Make, Rows, file_rows
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
@@ -32,7 +31,6 @@ class JobForm(QScrollArea):
     def __init__(self, job: Job) -> None:
         super().__init__()
         self.job = job
-        self._refused: dict[str, Waiting] = {}
         page = QWidget()
         column = QVBoxLayout(page)
         heading = QLabel(f"<b>{tr(title_of(type(job)))}</b>")
@@ -45,11 +43,10 @@ class JobForm(QScrollArea):
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         column.addLayout(form)
         column.addStretch()
-        self._form = form
         own: dict[str, Make] = dict.fromkeys(_LATER, lambda field, path: [])
         makers = Rows(
             lambda: self.job.scene(),
-            own | {"image": image_rows, "file": file_rows},
+            own | {"image": file_rows, "file": file_rows},
             place="images[0].",
         )
         self.rows = [
@@ -57,11 +54,13 @@ class JobForm(QScrollArea):
         ]
         for row in self.rows:
             form.addRow(row.label, row)
-            row.edited.connect(self._answer)
-            row.reverted.connect(self._revert)
             if isinstance(row, KindRow | TextRow):
                 asked = self.light_asked if row.path == "file" else self.image_asked
                 row.asked.connect(lambda *_, asked=asked: asked.emit())
+        self._entries = RowEntries(
+            self.rows, lambda: self.job, self._answer, self, form.setRowVisible
+        )
+        self._entries.changed.connect(self.changed)
         self.setWidget(page)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -70,21 +69,23 @@ class JobForm(QScrollArea):
 
     @property
     def refused(self) -> bool:
-        return bool(self._refused)
+        return self._entries.refused
 
     def commit(self) -> None:
-        for row in self.rows:
-            row.commit()
+        self._entries.commit()
 
     def choose_image(self, path: Path) -> None:
         """Use a picture file as target, with an image size of its aspect."""
+        self._entries.edit(self._edit_for(path))
+
+    def _edit_for(self, path: Path) -> Edit:
         before = getattr(self.job, "target", Finish())
         target = of_image(path, Finish(viewed_from=before.viewed_from))
         changes: dict[str, object] = {"target": target}
         size = getattr(self.job, "image_size", None)
         if size is not None:
             changes["image_size"] = self._in_aspect(size, target)
-        self._edit(Edit("target.image", tr("picture"), changes))
+        return Edit("target.image", tr("picture"), changes)
 
     def _in_aspect(self, size: tuple[float, float], target: dict[str, object]) -> list[float]:
         """Return an image size with the aspect of a picture."""
@@ -99,54 +100,16 @@ class JobForm(QScrollArea):
         return [larger, shorter] if aspect > 1 else [shorter, larger]
 
     def choose_light(self, path: Path) -> None:
-        self._edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
+        self._entries.edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
 
-    def _answer(self, edit: Edit) -> None:
-        """Apply an edit of a row; a typed file name of a picture is chosen."""
-        typed = edit.changes.get("target.image")
-        if typed:
-            self.choose_image(Path(str(typed)))
-        else:
-            self._edit(edit)
-
-    def _edit(self, edit: Edit) -> None:
-        refused = try_with_waiting(edit, self._refused, self._try)
-        if refused is not None:
-            self._refused[edit.path] = Waiting(edit, refused)
-        self.show_job()
-        self.changed.emit()
-
-    def _try(self, edits: list[Edit]) -> Refused | None:
+    def _answer(self, edits: list[Edit]) -> None:
+        """Apply edits; a typed file name of a picture is chosen."""
         data = self.job.model_dump(mode="json", exclude_none=True)
-        try:
-            for edit in edits:
-                put(edit, data)
-            self.job = self.job.with_answers(data)
-        except Refused as refused:
-            return refused
-        return None
-
-    def _revert(self, path: str) -> None:
-        self._refused.pop(path, None)
-        self.show_job()
-        self.changed.emit()
+        for edit in edits:
+            typed = edit.changes.get("target.image")
+            put(self._edit_for(Path(str(typed))) if typed else edit, data)
+        self.job = self.job.with_answers(data)
 
     def show_job(self) -> None:
         """Show the job, and refused entries as typed."""
-        present = [row for row in self.rows if row.present(self.job)]
-        for row in self.rows:
-            if row in present:
-                row.show_scene(self.job, self._refused.keys())
-            else:
-                row.forget()
-            self._form.setRowVisible(row, row in present)
-            row.refuse("")
-        for path, waiting in self._refused.items():
-            concerned = partial(_first_concerned, present)
-            refused_row = concerned(waiting.refused.path) or concerned(path)
-            if refused_row is not None:
-                refused_row.refuse(tr(waiting.refused.reason))
-
-
-def _first_concerned(rows: list[Row], path: str) -> Row | None:
-    return next((row for row in reversed(rows) if row.concerns(path)), None)
+        self._entries.show()

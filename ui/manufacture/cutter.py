@@ -1,19 +1,18 @@
-"""Dialog of a ball cutter. Each change of a field restarts the simulation of the cut."""
+"""Dialog of a ball cutter. Each entry restarts the simulation of the cut."""
 
 import json
+from collections.abc import Iterator
 from dataclasses import asdict
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QSettings, Qt, QTimer, Signal
+from annotated_types import Ge, Le
+from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
-    QLineEdit,
     QProgressBar,
     QPushButton,
     QVBoxLayout,
@@ -21,13 +20,17 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task
+from ui.panels.edits import Edit
+from ui.panels.entries import RowEntries, edited_data
+from ui.panels.fields import CheckRow, OptionalRow, Row, described
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.export.options import PLAIN, RANGES, Cutting
 from workbench.powers import written
-from workbench.quantity import read_number
+from workbench.scene import LENGTH, Measure
+from workbench.scene.fields import LeftOut
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -74,59 +77,52 @@ class CutFields(QWidget):
 
     def __init__(self, unit: str, begin_with: Cutting) -> None:
         super().__init__()
-        self._unit = unit
-        self.lines: dict[str, QLineEdit] = {}
-        self._form = QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        for name, (title, empty, tip) in _LENGTHS.items():
-            value = getattr(begin_with, name)
-            text = f"{value:.12g}" if value else ""
-            self._add(name, tr(title), text, tr(empty), tr(tip), unit)
-        for name, (title, tip) in _MACHINE.items():
-            least, most, of = RANGES[name]
-            allowed = tr("From {least} to {most} {unit}.").format(
-                least=f"{least:g}", most=f"{most:,}", unit=of
-            )
-            text, usual = (f"{getattr(each, name):g}" for each in (begin_with, PLAIN))
-            self._add(name, tr(title), text, usual, f"{tr(tip)} {allowed}", of)
-        self.mould = QCheckBox(tr("Cut a mould of the face"))
-        self.mould.setToolTip(tr("Cut the negative of the face, turned over about the y axis."))
-        self.mould.setChecked(begin_with.negative)
-        self.mould.toggled.connect(self.changed)
-        self._form.addRow("", self.mould)
+        self._data = {"unit": unit, **asdict(begin_with)}
+        form = QFormLayout(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self.rows = {row.path: row for row in _rows()}
+        for row in self.rows.values():
+            form.addRow(row.label, row)
+        self._entries = RowEntries(
+            list(self.rows.values()), lambda: self._data, self._enter, self, form.setRowVisible
+        )
+        self._entries.changed.connect(self.changed)
+        self._entries.show()
 
+    @property
+    def refused(self) -> bool:
+        return self._entries.refused
+
+    @property
     def cutting(self) -> Cutting:
-        numbers = {name: self._number(name) for name in self.lines}
-        stated = {name: value for name, value in numbers.items() if value is not None}
-        try:
-            return Cutting(**stated, negative=self.mould.isChecked())
-        except Refused as refused:
-            title = self.lines[refused.path].accessibleName()
-            raise ValueError(f"{title}: {tr(refused.reason)}") from None
+        return _cutting(self._data)
 
-    def _add(self, name: str, title: str, text: str, empty: str, tip: str, unit: str) -> None:
-        line = self.lines[name] = QLineEdit(text)
-        line.setPlaceholderText(empty)
-        line.setToolTip(f"<p>{tip}</p>")
-        line.setAccessibleName(title)
-        line.textEdited.connect(self.changed)
-        row = QHBoxLayout()
-        row.addWidget(line, 1)
-        label = QLabel(unit)
-        label.setMinimumWidth(label.fontMetrics().horizontalAdvance("mm/min"))
-        row.addWidget(label)
-        self._form.addRow(title, row)
+    def enter(self, name: str, value: object) -> None:
+        """Enter the value of a field."""
+        self._entries.edit(Edit(name, name, {name: value}))
 
-    def _number(self, name: str) -> float | None:
-        text = self.lines[name].text().strip()
-        if not text:
-            return None
-        unit = RANGES[name].unit if name in RANGES else self._unit
-        try:
-            return float(read_number(text, unit))
-        except ValueError as error:
-            raise ValueError(f"{self.lines[name].accessibleName()}: {error}") from None
+    def _enter(self, edits: list[Edit]) -> None:
+        data = edited_data(self._data, edits)
+        _cutting(data)
+        self._data = data
+
+
+def _cutting(data: dict[str, Any]) -> Cutting:
+    stated = {k: value for k, value in data.items() if k != "unit" and value is not None}
+    return Cutting(**stated)
+
+
+def _rows() -> Iterator[Row]:
+    for name, (title, empty, tip) in _LENGTHS.items():
+        length = LENGTH, LeftOut(empty)
+        yield OptionalRow(described(tr(title), tr(tip), float, *length, optional=True), name)
+    for name, (title, tip) in _MACHINE.items():
+        least, most, unit = RANGES[name]
+        marks = Measure(unit), Ge(least), Le(most), LeftOut(f"{getattr(PLAIN, name):g}")
+        yield OptionalRow(described(tr(title), tr(tip), float, *marks, optional=True), name)
+    tip = tr("Cut the negative of the face, turned over about the y axis.")
+    yield CheckRow(described(tr("Cut a mould of the face"), tip, bool), "negative")
 
 
 def kept_cutting(settings: QSettings, unit: str) -> Cutting:
@@ -148,7 +144,6 @@ def _key(unit: str) -> str:
 
 RAYS = 1_000_000
 """Through the cut; some ten seconds."""
-_REST_MS = 400  # after the last key before the cut is simulated
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
     "Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut "
@@ -211,24 +206,20 @@ class CutterDialog(QDialog):
         )
         self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self.simulate)
         self._background = Background(later("simulation of the cut"), self)
         self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._tell)
         self._background.failed.connect(self._tell_failure)
-        self.finished.connect(self._close)
+        self.finished.connect(self._background.close)
         self.simulate()
 
     def simulate(self) -> None:
         self._forget()
-        try:
-            cutting = self.fields.cutting()
-        except ValueError as error:
-            self._end(f"\N{WARNING SIGN} {error}")
+        if self.fields.refused:
+            self._end("")
             return
         self._begin(tr("Simulating the cut: {percent} %"))
-        self._background.begin(partial(_plan, self._session, cutting))
+        self._background.begin(partial(_plan, self._session, self.fields.cutting))
 
     def trace(self) -> None:
         if self.plan is not None:
@@ -239,12 +230,9 @@ class CutterDialog(QDialog):
 
     def _follow(self) -> None:
         self._background.cancel()
-        self._forget()
-        self._end("")
-        self._rest.start()
+        self.simulate()
 
     def _forget(self) -> None:
-        self._rest.stop()
         self.plan = None
         self.write.setEnabled(False)
         self.look.setEnabled(False)
@@ -303,16 +291,11 @@ class CutterDialog(QDialog):
         self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
-        self.fields.lines["tool_radius"].setText(f"{self._fitting:.2g}")
-        self.simulate()
+        self.fields.enter("tool_radius", float(f"{self._fitting:.2g}"))
 
     def _accept(self) -> None:
         if self.plan is not None:
             self.accept()
-
-    def _close(self) -> None:
-        self._rest.stop()
-        self._background.close()
 
 
 def _words(plan: "CutPlan", unit: str) -> str:

@@ -1,18 +1,21 @@
 """Figures of manufacture beside their limits, and the fields of the limits."""
 
 import math
-from functools import partial
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, QSettings, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from ui.panels.edits import Edit, Typed
-from ui.panels.fields import OptionalRow
+from ui.panels.edits import Edit
+from ui.panels.entries import RowEntries, edited_data
+from ui.panels.fields import OptionalRow, described
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
+from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.powers import written
 from workbench.scene import LENGTH, Measure, Scene
 
@@ -51,19 +54,14 @@ class LimitFields(QObject):
         self._settings = settings
         self._scene: Scene | None = None
         self.rows = {
-            name: OptionalRow(
-                name,
-                tr(label),
-                f"{tr(tip)}. {tr(_HINT)}",
-                Measure("°") if name == _ANGLE else LENGTH,
-                partial(self._stand_in, name),
-            )
+            name: _LimitRow(self._stand_in, tr(label), f"{tr(tip)}. {tr(_HINT)}", name)
             for name, (label, tip) in _ROWS.items()
         }
         for name, row in self.rows.items():
             row.editors[name].setAccessibleName(tr("Limit: {label}").format(label=row.label.text()))
-            row.edited.connect(self._take)
-            row.reverted.connect(self._revert)
+        rows = list(self.rows.values())
+        self._entries = RowEntries(rows, self._data, self._take, self)
+        self._entries.changed.connect(lambda: self.changed.emit(self.limits))
 
     @property
     def limits(self) -> Limits:
@@ -73,42 +71,25 @@ class LimitFields(QObject):
     def show_scene(self, scene: Scene) -> None:
         before, self._scene = self._scene, scene
         if before is None or before.unit != scene.unit:
-            for row in self.rows.values():
-                row.refuse("")
-        self._show()
+            self._entries.forget()
+        self._entries.show()
         self.changed.emit(self.limits)
 
-    def _take(self, edit: Edit) -> None:
-        row, value = self.rows[edit.path], None
-        typed = edit.changes[edit.path]
-        if isinstance(typed, Typed):
-            try:
-                value = float(typed.number(self._unit))
-            except ValueError as error:
-                row.refuse(f"{error}")
-                return
-            if not 0 < value < math.inf:
-                row.refuse(
-                    tr(
-                        "{value:g} is not possible; enter a number above 0 or leave it empty"
-                    ).format(value=value)
+    def _take(self, edits: list[Edit]) -> None:
+        data = edited_data(self._data(), edits)
+        for edit in edits:
+            value = data[edit.path]
+            if value is not None and not 0 < value < math.inf:
+                raise Refused(
+                    edit.path,
+                    Message("{value:g}; a number above 0, or empty, is needed", value=value),
                 )
-                return
-        row.refuse("")
-        self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
-        self._show()
-        self.changed.emit(self.limits)
+        for edit in edits:
+            value = data[edit.path]
+            self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
 
-    def _revert(self, path: str) -> None:
-        self.rows[path].refuse("")
-        self._show()
-
-    def _show(self) -> None:
-        pending = {name for name, row in self.rows.items() if row.refusal}
-        data: dict[str, Any] = {name: self._kept(name) for name in self.rows}
-        data["unit"] = self._unit
-        for row in self.rows.values():
-            row.show_scene(data, pending)
+    def _data(self) -> dict[str, Any]:
+        return {"unit": self._unit, **{name: self._kept(name) for name in self.rows}}
 
     @property
     def _unit(self) -> str:
@@ -133,9 +114,21 @@ class LimitFields(QObject):
             own["min_tool_radius"] = self._scene.run.min_tool_radius
         return own
 
-    def _stand_in(self, name: str, _: dict[str, Any]) -> list[float | str]:
+    def _stand_in(self, name: str) -> float | str:
         own = self._own()[name]
-        return [tr("none") if own is None else own]
+        return tr("none") if own is None else own
+
+
+class _LimitRow(OptionalRow):
+    def __init__(
+        self, stand_in: Callable[[str], float | str], title: str, tip: str, name: str
+    ) -> None:
+        measure = Measure("°") if name == _ANGLE else LENGTH
+        super().__init__(described(title, tip, float, measure, optional=True), name)
+        self._stand_in = stand_in
+
+    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
+        return [self._stand_in(self.path)]
 
 
 _STATES = later(

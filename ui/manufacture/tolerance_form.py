@@ -1,19 +1,22 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
-from ui.panels.fields import NumberRow
+from ui.panels.entries import RowEntries, edited_data
+from ui.panels.fields import NumberRow, described
 from ui.words import error_text, later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.scene import LENGTH, Measure, Scene, Unit
-from workbench.scene.fields import ANGLE
+from workbench.scene.fields import ANGLE, Between
 from workbench.units import ratio, times
 
 _MEASURES = {"": Measure(), "degrees": ANGLE, "length": LENGTH}
@@ -33,7 +36,8 @@ class ToleranceForm(QWidget):
         self.obstacle = ""
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
-        self._rows = _make_rows()
+        self._rows = _make_rows(self._is_there)
+        self._entries = RowEntries(self._rows, self._whole, self._enter, self)
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
@@ -50,9 +54,6 @@ class ToleranceForm(QWidget):
         )
         self.save.clicked.connect(self.save_asked)
         grid.setRowStretch(len(lines), 1)
-        for row in self._rows:
-            row.edited.connect(self._take)
-            row.reverted.connect(self._revert)
 
     @property
     def within(self) -> Tolerances:
@@ -86,18 +87,23 @@ class ToleranceForm(QWidget):
             scene.source,
             scene.receiver,
         ):
-            for row in self._rows:  # what was refused may be possible now
-                row.refuse("")
-        self._show()
+            self._entries.forget()  # what was refused may be possible now
+        for row in self._rows:
+            if row.path in ABOUT:
+                row.explain(tr(ABOUT[row.path].tip, optic=scene.optic.called))
+        self._entries.show()
 
     def accepted(self) -> bool:
-        """Whether all entries are possible; refused ones show why."""
-        for row in self._rows:
-            row.commit()
+        """Whether all entries are possible; `obstacle` is the reason that no row shows."""
+        self._entries.commit()
         self.obstacle = ""
-        if not self._refused():
-            self._judge(self._data)
-        return not self._refused() and not self.obstacle
+        if self._entries.refused:
+            return False
+        try:
+            self._check(self._data)
+        except Refused as refused:
+            self.obstacle = error_text(refused)
+        return not self.obstacle
 
     def _convert(self, scene: Scene, unit: Unit) -> Scene:
         factor = ratio(scene.unit, unit)
@@ -111,103 +117,71 @@ class ToleranceForm(QWidget):
                 )
         return scene.in_unit(unit)
 
-    def _take(self, edit: Edit) -> None:
-        row = self._row(edit.path)
+    def _whole(self) -> dict[str, Any]:
         assert self._scene is not None  # there is one before anything is typed
-        unit = self._scene.unit
-        try:
-            values = [e.typed(e.text()).number(unit) for e in row.editors.values()]
-        except ValueError as error:
-            row.refuse(f"{error}")
-            return
-        for value in values:
-            if not _sound(row.path, value):
-                row.refuse(f"{value}; {_allowed(row.path)}")
-                return
-        row.refuse("")
-        wanted = {**self._data, row.path: values if row.path in PAIRS else values[0]}
-        self._judge(wanted)
-        if not row.refusal:
-            self._data = wanted
-            self._show()
+        return {"unit": self._scene.unit, **self._data}
 
-    def _judge(self, data: dict[str, Any]) -> None:
+    def _enter(self, edits: list[Edit]) -> None:
+        data = edited_data(self._whole(), edits)
+        del data["unit"]
+        self._check(data)
+        self._data = data
+
+    def _check(self, data: dict[str, Any]) -> None:
+        """Raise `Refused` with the path of a value that is not possible."""
         assert self._scene is not None  # there is one before anything is typed
-        try:
-            self._possible(data).check(self._scene)
-        except Refused as refused:
-            row = next((row for row in self._rows if row.concerns(refused.path)), None)
-            if row is not None:
-                row.refuse(tr(refused.reason))
-            else:
-                self.obstacle = error_text(refused)
+        for path, value in data.items():
+            for each in value if isinstance(value, list) else [value]:
+                if not _sound(path, each):
+                    raise Refused(
+                        path, Message("{value}; {allowed}", value=each, allowed=_allowed(path))
+                    )
+        self._possible(data).check(self._scene)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
-        absent = ABOUT.keys() - self._there()
+        absent = [name for name in ABOUT if not self._is_there(name)]
         none = {name: [0.0, data[name][1]] if name in PAIRS else 0.0 for name in absent}
         return Tolerances.of(data | none)
 
-    def _there(self) -> set[str]:
-        assert self._scene is not None  # there is one before anything is asked for
-        return {name for name, about in ABOUT.items() if about.there(self._scene)}
-
-    def _refused(self) -> bool:
-        return any(row.refusal for row in self._rows)
-
-    def _revert(self, path: str) -> None:
-        self._row(path).refuse("")
-        self._show()
-
-    def _show(self) -> None:
-        assert self._scene is not None
-        pending = {p for row in self._rows if row.refusal for p in row.editors}
-        for row in self._rows:
-            row.show_scene({"unit": self._scene.unit, **self._data}, pending)
-        there = self._there()
-        for row in self._rows:
-            if row.path in ABOUT:
-                row.setVisible(row.path in there)
-                row.label.setVisible(row.path in there)
-                row.explain(tr(ABOUT[row.path].tip, optic=self._scene.optic.called))
+    def _is_there(self, name: str) -> bool:
+        return self._scene is not None and ABOUT[name].there(self._scene)
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))
 
 
 def _sound(path: str, value: float) -> bool:
-    if path == "lenses":
-        return 1 <= value <= _MOST
-    return 0 <= value < math.inf
+    return 1 <= value <= _MOST if path == "lenses" else 0 <= value < math.inf
 
 
-def _allowed(path: str) -> str:
+def _allowed(path: str) -> Message:
     if path == "lenses":
-        return tr("a whole number from 1 to {most} is needed").format(most=_MOST)
+        return Message("a whole number from 1 to {most} is needed", most=_MOST)
     if path == "seed":
-        return tr("a whole number from 0 is needed")
-    return tr("a finite number from 0 is needed")
+        return Message("a whole number from 0 is needed")
+    return Message("a finite number from 0 is needed")
 
 
-def _make_rows() -> tuple[NumberRow, ...]:
+def _make_rows(is_there: Callable[[str], bool]) -> tuple[NumberRow, ...]:
+    rows = []
+    for name, about in ABOUT.items():
+        kind = tuple[float, float] if name in PAIRS else float
+        marks = _MEASURES[about.unit], Between(later("over"))
+        tip = tr(about.tip, optic="lens")
+        row = NumberRow(described(tr(about.title), tip, kind, *marks), name)
+        row.only_if(partial(_applies, is_there, name))
+        rows.append(row)
+    lenses = tr("Number of traced lenses; more lenses give better percentiles")
+    seed = tr("The same seed gives the same lenses")
     return (
-        *(
-            NumberRow(
-                name,
-                tr(about.title),
-                tr(about.tip, optic="lens"),
-                _MEASURES[about.unit],
-                between=later("over") if name in PAIRS else "",
-            )
-            for name, about in ABOUT.items()
-        ),
-        NumberRow(
-            "lenses",
-            tr("Lenses"),
-            tr("Number of traced lenses; more lenses give better percentiles"),
-            whole=True,
-        ),
-        NumberRow("seed", tr("Seed"), tr("The same seed gives the same lenses"), whole=True),
+        *rows,
+        NumberRow(described(tr("Lenses"), lenses, int), "lenses"),
+        NumberRow(described(tr("Seed"), seed, int), "seed"),
     )
+
+
+def _applies(is_there: Callable[[str], bool], name: str, _: object) -> bool:
+    return is_there(name)
 
 
 def _lines(rows: Sequence[NumberRow]) -> Iterator[Sequence[NumberRow]]:

@@ -1,7 +1,7 @@
 """One edit of a scene: where, what, and how it is called."""
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -69,27 +69,6 @@ def _numbers(value: object) -> list[str]:
     if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in values):
         return []
     return [format(each, ".6g") for each in values]
-
-
-@dataclass(frozen=True)
-class Waiting:
-    """An edit that was refused, and why."""
-
-    edit: Edit
-    refused: Refused
-
-
-def try_with_waiting(
-    edit: Edit, pending: dict[str, Waiting], attempt: Callable[[list[Edit]], Refused | None]
-) -> Refused | None:
-    """Try an edit together with refused ones, which may be possible now; or else alone."""
-    pending.pop(edit.path, None)
-    waiting = [waiter.edit for waiter in pending.values()]
-    refused = attempt([*waiting, edit])
-    if refused is None:
-        pending.clear()
-        return None
-    return attempt([edit]) if waiting else refused
 
 
 def holder_of(whole: Any, path: str) -> tuple[Any, int | str]:

@@ -1,16 +1,16 @@
 """The elements of a scene as a list, in the order in which light meets them."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
-from ui.panels.lists import ListedPanel, PartListRow, another_name
+from ui.panels.lists import ListedPanel, another_name
 from ui.panels.rows import Rows, value_row
 from ui.words import capitalised, in_sentence, tr
 from workbench.design.limits import bounded
-from workbench.files.session import Session
 from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
 from workbench.powers import written
@@ -36,76 +36,6 @@ _MATERIAL = "PMMA"
 _RADIUS, _THICKNESS = 4.0, 0.5
 _SIGMA = 5.0  # degrees, of a new diffuser
 _GAP = 0.1  # half widths between a new element and the one before
-
-
-class ElementListRow(PartListRow[AnyElement]):
-    """List of the elements."""
-
-    def __init__(self, label: str, tip: str) -> None:
-        super().__init__(
-            "elements",
-            label,
-            tip,
-            tr("element"),
-            tr("Elements"),
-            (
-                tr("Add a plano-convex lens of fixed shape behind the last element"),
-                tr("Add a plane mirror behind the last element"),
-                tr("Add a diffuser behind the last element"),
-                tr("Add a copy of the selected element behind the last element"),
-                tr("Remove the selected element"),
-                tr("Swap the selected element with the previous one, positions included"),
-                tr("Swap the selected element with the next one, positions included"),
-            ),
-            (tr("Add lens"), tr("Add mirror"), tr("Add diffuser")),
-        )
-        self._scene: Scene | None = None
-
-    def show_elements(self, scene: Scene) -> None:
-        self._scene = scene
-        self.show_parts(scene.elements, "")
-
-    def _new(self, which: int) -> AnyElement:
-        last, kind = self._parts[-1], _KINDS[which]
-        size = max(last.half_width)
-        faces: tuple[dict[str, Any], ...] = ({"shape": "plane"},)
-        if kind is Lens:
-            faces += ({"shape": "conic", "radius": -_rounded(_RADIUS * size)},)
-        name = self._free_name(kind.__name__.lower())
-        return _element(kind, faces, last, name=name, position=_behind(last))
-
-    def _copy(self, part: AnyElement) -> AnyElement:
-        return part.model_copy(
-            update={"name": self._free_name(part.name), "position": _behind(self._parts[-1])}
-        )
-
-    def _place_of_copy(self) -> int:
-        return len(self._parts)
-
-    def _exchanged(self, first: AnyElement, second: AnyElement) -> tuple[AnyElement, AnyElement]:
-        to_front, to_end = first.front_z - second.front_z, second.highest - first.highest
-        return _shifted(second, to_front), _shifted(first, to_end)
-
-    def _chosen_among(self, parts: tuple[AnyElement, ...]) -> int:
-        before, names = self._parts, [part.name for part in parts]
-        if before and before[self.current].name in names:
-            return names.index(before[self.current].name)
-        if len(before) == len(parts):
-            return self.current
-        return next((number for number, part in enumerate(parts) if part.designed), 0)
-
-    def _summary(self, part: AnyElement) -> str:
-        assert self._scene is not None  # shown before anything can be clicked
-        kind = in_sentence(tr(title_of(type(part))))
-        words = [kind if part.name == part.kind else f"{part.name}: {kind}"]
-        if part.designed:
-            words.append(tr("designed"))
-        words.append(f"z = {written(part.position[2], self._scene.unit)}")
-        return ", ".join(words)
-
-    def _free_name(self, name: str) -> str:
-        taken = [part.name for part in self._parts]
-        return another_name(name, taken, "-") if name in taken else name
 
 
 def of_kind(kind: type[Part], before: AnyElement) -> AnyElement:
@@ -150,16 +80,74 @@ _AUTOMATIC, _OWN_RANGE = "automatic", "own"
 _FACES = "face", "faces"
 
 
-class ElementsPanel(ListedPanel):
+class ElementsPanel(ListedPanel[AnyElement]):
     """Bound to ``scene.elements``."""
 
     def __init__(self, field: FieldDescription) -> None:
         self._field = field
-        self._list = ElementListRow(tr("Optical train"), tr(field.tip))
-        super().__init__(tr(field.title), self._list)
+        super().__init__(
+            tr(field.title),
+            replace(field, title=tr("Optical train")),
+            "elements",
+            tr("element"),
+            (
+                tr("Add a plano-convex lens of fixed shape behind the last element"),
+                tr("Add a plane mirror behind the last element"),
+                tr("Add a diffuser behind the last element"),
+                tr("Add a copy of the selected element behind the last element"),
+                tr("Remove the selected element"),
+                tr("Swap the selected element with the previous one, positions included"),
+                tr("Swap the selected element with the next one, positions included"),
+            ),
+            (tr("Add lens"), tr("Add mirror"), tr("Add diffuser")),
+        )
 
-    def show_list(self, session: Session) -> None:
-        self._list.show_elements(session.scene)
+    def parts_of(self, scene: Scene) -> tuple[AnyElement, ...]:
+        return scene.elements
+
+    def new(self, which: int) -> AnyElement:
+        last, kind = self.session.scene.elements[-1], _KINDS[which]
+        size = max(last.half_width)
+        faces: tuple[dict[str, Any], ...] = ({"shape": "plane"},)
+        if kind is Lens:
+            faces += ({"shape": "conic", "radius": -_rounded(_RADIUS * size)},)
+        name = self._free_name(kind.__name__.lower())
+        return _element(kind, faces, last, name=name, position=_behind(last))
+
+    def copy(self, part: AnyElement) -> AnyElement:
+        return part.model_copy(
+            update={
+                "name": self._free_name(part.name),
+                "position": _behind(self.session.scene.elements[-1]),
+            }
+        )
+
+    def place_of_copy(self) -> int:
+        return len(self.session.scene.elements)
+
+    def exchanged(self, first: AnyElement, second: AnyElement) -> tuple[AnyElement, AnyElement]:
+        to_front, to_end = first.front_z - second.front_z, second.highest - first.highest
+        return _shifted(second, to_front), _shifted(first, to_end)
+
+    def chosen_among(self, before: tuple[AnyElement, ...], parts: tuple[AnyElement, ...]) -> int:
+        names, current = [part.name for part in parts], self.list.current
+        if before and before[current].name in names:
+            return names.index(before[current].name)
+        if len(before) == len(parts):
+            return current
+        return next((number for number, part in enumerate(parts) if part.designed), 0)
+
+    def summary(self, part: AnyElement) -> str:
+        kind = in_sentence(tr(title_of(type(part))))
+        words = [kind if part.name == part.kind else f"{part.name}: {kind}"]
+        if part.designed:
+            words.append(tr("designed"))
+        words.append(f"z = {written(part.position[2], self.session.scene.unit)}")
+        return ", ".join(words)
+
+    def _free_name(self, name: str) -> str:
+        taken = [part.name for part in self.session.scene.elements]
+        return another_name(name, taken, "-") if name in taken else name
 
     def name_of(self, number: int) -> str:
         return capitalised(self.session.scene.elements[number].name)
@@ -198,9 +186,8 @@ class _ElementRows(Rows):
 
     def _material_rows(self, field: FieldDescription, path: str) -> list[Row]:
         material = ChoiceRow(
+            field,
             path,
-            tr(field.title),
-            tr(field.tip),
             [(_CUSTOM_INDEX, tr("Custom index")), *((name, tr(name)) for name in CATALOGUE)],
             read=lambda scene: _material(scene, path),
             changes=lambda choice: {path: self._material(choice)},
@@ -218,23 +205,17 @@ class _ElementRows(Rows):
 
     def _range_rows(self, field: FieldDescription, path: str) -> list[Row]:
         choice = ChoiceRow(
+            field,
             path,
-            tr(field.title),
-            tr(field.tip),
             [(_AUTOMATIC, tr("Automatic")), (_OWN_RANGE, tr("Own limits"))],
             read=lambda scene: _range(scene, path),
             changes=lambda choice: self._change_range(choice, path),
         )
-        limits = NumberRow(
-            path,
-            tr("From the base"),
-            tr(
-                "Bounds of the control heights relative to the base, down and up. Wider bounds "
-                "allow larger deflection."
-            ),
-            field.measure,
-            field.between,
+        tip = tr(
+            "Bounds of the control heights relative to the base, down and up. Wider bounds allow "
+            "larger deflection."
         )
+        limits = NumberRow(replace(field, title=tr("From the base"), tip=tip), path)
         return [choice, limits]
 
     def _change_range(self, choice: str, path: str) -> Changes | None:

@@ -5,6 +5,7 @@ corrected, or reverted with Escape.
 """
 
 from collections.abc import Callable, Sequence, Set
+from operator import attrgetter
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -15,36 +16,49 @@ from ui.panels.edits import Edit, Typed, holder_of
 from ui.widgets import theme
 from ui.widgets.controls import filled
 from ui.words import in_sentence, tr
-from workbench.scene import AutoNet, Element, Measure, Part
-from workbench.scene.fields import AUTO
+from workbench.scene import AutoNet, Element, FieldDescription, Measure, Part
+from workbench.scene.fields import AUTO, Fallback, LeftOut
 from workbench.scene.paths import value_at
 
 Changes = dict[str, object]
 Condition = Callable[[Any], bool]
-_NONE = Measure()
 _INDENT = 10  # logical pixels
 
 
+def described(
+    title: str, tip: str, kind: Any = str, *marks: object, optional: bool = False
+) -> FieldDescription:
+    """Return a description for a row that stands for no field of a scene."""
+    return FieldDescription("", title, tip, kind, optional, False, marks)
+
+
 class Row(QWidget):
-    """Editors side by side, with their unit and a refusal below."""
+    """Editors of a field side by side, with their unit and a refusal below."""
 
     edited = Signal(object)
     reverted = Signal(object)
 
-    def __init__(self, path: str, label: str, tip: str, measure: Measure = _NONE) -> None:
+    def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__()
-        self.path, self.measure, self.between = path, measure, ""
+        self.field, self.path, self.measure = field, path, field.measure
+        label = tr(field.title)
         self.label = QLabel(label)
         self.of = ""  # the part whose field it is, where a panel has several of a kind
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
         self._unit = QLabel()
-        self._unit.setVisible(measure != _NONE)
+        self._unit.setVisible(self.measure != Measure())
         self._refusal = Refusal()
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
         filled(QVBoxLayout(self), self._editors, self._refusal, margins=0, spacing=2)
-        self.explain(tip)
+        sentence, *ends = field.bounds
+        self.explain(f"{tr(field.tip)} {tr(sentence).format(*ends)}".rstrip())
+
+    @property
+    def between(self) -> str:
+        """Text between the numbers; empty for a single one."""
+        return self.field.between if self.field.count > 1 else ""
 
     def explain(self, tip: str) -> None:
         """Set the tool tip."""
@@ -127,27 +141,19 @@ class Row(QWidget):
 class NumberRow(Row):
     """One or several numbers."""
 
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        measure: Measure = _NONE,
-        between: str = "",
-        count: int = 2,
-        whole: bool = False,
-    ) -> None:
-        super().__init__(path, label, tip, measure)
-        self.between = between
-        paths = [f"{path}[{k}]" for k in range(count)] if between else [path]
-        self.editors = {p: NumberEditor(measure, whole, narrow=len(paths) > 2) for p in paths}
+    def __init__(self, field: FieldDescription, path: str) -> None:
+        super().__init__(field, path)
+        count = field.count
+        paths = [f"{path}[{k}]" for k in range(count)] if count > 1 else [path]
+        whole, narrow = field.number is int, count > 2
+        self.editors = {p: NumberEditor(self.measure, whole, narrow) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
-                self._add(QLabel(tr(between)), 0)
-            if between:
+                self._add(QLabel(tr(self.between)), 0)
+            if count > 1:
                 editor.setAccessibleName(
                     tr("{label}, {number} of {count}").format(
-                        label=label, number=number + 1, count=count
+                        label=self.label.text(), number=number + 1, count=count
                     )
                 )
             self._add(editor)
@@ -170,17 +176,8 @@ class TextRow(Row):
 
     asked = Signal()
 
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        button_tip: str = "",
-        measure: Measure = _NONE,
-        optional: bool = False,
-    ) -> None:
-        super().__init__(path, label, tip, measure)
-        self._optional = optional
+    def __init__(self, field: FieldDescription, path: str, button_tip: str = "") -> None:
+        super().__init__(field, path)
         self.editor = TextEditor()
         self._add(self.editor)
         if button_tip:
@@ -207,10 +204,10 @@ class TextRow(Row):
         return text
 
     def value_of(self, text: str) -> object:
-        return None if self._optional and not text.strip() else text
+        return None if self.field.optional and not text.strip() else text
 
     def _is_there(self, scene: Any) -> bool:
-        if self._optional:
+        if self.field.optional:
             return holder_of(scene, self.path)[0] is not None
         return super()._is_there(scene)
 
@@ -219,7 +216,6 @@ class NumbersRow(TextRow):
     """Numbers in one line, separated by semicolons."""
 
     def text_of(self, value: Any) -> str:
-        """The numbers, short but exact."""
         return "; ".join(format(number, ".12g") for number in value)
 
     def value_of(self, text: str) -> object:
@@ -230,18 +226,16 @@ class PairsRow(TextRow):
     """Any number of pairs of numbers as one line, with a semicolon between pairs."""
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's pairs, the first ones where there is no room for all."""
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.editor.home(False)
 
     def text_of(self, value: Any) -> str:
-        """Numbers and semicolons."""
         return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value or ())
 
     def value_of(self, text: str) -> object:
         """The pairs; the text itself where it has others, which the scene refuses."""
-        if self._optional and not text.strip():
+        if self.field.optional and not text.strip():
             return None
         try:
             return [[float(number) for number in pair.split(",")] for pair in text.split(";")]
@@ -250,19 +244,19 @@ class PairsRow(TextRow):
 
 
 class ChoiceRow(Row):
-    """A choice, committed at once."""
+    """A choice, committed at once; ``otherwise`` is the text for no value."""
 
     def __init__(
         self,
+        field: FieldDescription,
         path: str,
-        label: str,
-        tip: str,
-        choices: Sequence[tuple[str, str]],
+        choices: Sequence[tuple[str, str]] = (),
         otherwise: str = "",
         read: Callable[[Any], str] | None = None,
         changes: Callable[[str], Changes | None] | None = None,
     ) -> None:
-        super().__init__(path, label, tip)
+        super().__init__(field, path)
+        choices = choices or [(value, tr(title)) for value, title in field.choices]
         self._optional = bool(otherwise)
         self._read = read or (lambda scene: str(value_at(scene, path) or ""))
         self._changes = changes or (lambda choice: {path: choice or None})
@@ -293,8 +287,8 @@ class ChoiceRow(Row):
 class CheckRow(Row):
     """A check box."""
 
-    def __init__(self, path: str, label: str, tip: str) -> None:
-        super().__init__(path, label, tip)
+    def __init__(self, field: FieldDescription, path: str) -> None:
+        super().__init__(field, path)
         self.box = QCheckBox()
         self._add(self.box)
         self.box.clicked.connect(lambda checked: self._emit_edit(path, {path: checked}))
@@ -305,96 +299,92 @@ class CheckRow(Row):
             self.box.setChecked(value_at(scene, self.path))
 
 
-class AutoRow(NumberRow):
+class OptionalRow(NumberRow):
+    """Numbers that may be left empty; a placeholder shows what counts then."""
+
+    _NOTHING: object = None  # the value of an empty field
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        Row.show_scene(self, scene, pending)
+        for (path, editor), stand_in in zip(
+            self.editors.items(), self._stand_ins(scene), strict=True
+        ):
+            editor.setPlaceholderText(
+                stand_in if isinstance(stand_in, str) else format(stand_in, "g")
+            )
+            if not pending & {path, self.path}:
+                value = self._value(scene, path)
+                editor.show_value("" if value is None else format(value, ".12g"))
+
+    def _value(self, scene: Any, path: str) -> float | None:
+        value: float | None = value_at(scene, path)
+        return value
+
+    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
+        if left_out := self.field.mark(LeftOut):
+            return [tr(left_out.title)] * len(self.editors)
+        fallback = self.field.mark(Fallback)
+        if fallback is None:
+            return [tr("none")] * len(self.editors)
+        found = attrgetter(fallback.path)(scene)
+        return found if self.field.count > 1 else [found]
+
+    def _is_there(self, scene: Any) -> bool:
+        return holder_of(scene, self.path)[0] is not None
+
+    def _commit(self, path: str, text: str) -> None:
+        texts = [editor.text().strip() for editor in self.editors.values()]
+        if not text.strip():
+            self._emit_edit(self.path, {self.path: self._NOTHING})
+        elif path == self.path or self._alone(texts):
+            self._emit_edit(path, {path: self.editors[path].typed(text)})
+        else:  # a number alone counts for both
+            values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
+            self._emit_edit(self.path, {self.path: values})
+
+    def _alone(self, texts: Sequence[str]) -> bool:
+        """Whether one of the numbers can be changed by itself."""
+        return False
+
+
+class AutoRow(OptionalRow):
     """Numbers, or a tick for automatic; typing clears the tick, an empty field sets it."""
 
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        measure: Measure,
-        between: str = "",
-        count: int = 2,
-        whole: bool = False,
-    ) -> None:
-        super().__init__(path, label, tip, measure, between, count, whole)
+    _NOTHING = AUTO
+
+    def __init__(self, field: FieldDescription, path: str) -> None:
+        super().__init__(field, path)
         self.box = QCheckBox(tr("Auto"))
-        self.box.setAccessibleName(tr("{label}, automatic").format(label=label))
-        self.box.setToolTip(f"<p>{tip}</p>")
+        self.box.setAccessibleName(tr("{label}, automatic").format(label=self.label.text()))
+        self.box.setToolTip(self.toolTip())
         self._editors.addWidget(self.box)
         self._shape: tuple[int, ...] | None = None  # what counts now
         self._auto = False
         self.box.clicked.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        Row.show_scene(self, scene, pending)
-        self._unit.hide()  # what was chosen stands in the fields
         value = value_at(scene, self.path)
         self._auto = auto = isinstance(value, AutoNet)
         # An entrance face takes what the exit face has.
         self._shape = (value.shape or scene.optic.known_shape) if auto else value
+        super().show_scene(scene, pending)
+        self._unit.hide()  # what was chosen stands in the fields
         if self.path not in pending:
             self.box.setChecked(auto)
-        numbers = self._shape or (tr("auto"),) * len(self.editors)
-        for (path, editor), number in zip(self.editors.items(), numbers, strict=True):
-            editor.setPlaceholderText(str(number))
-            if not pending & {path, self.path}:
-                editor.show_value("" if auto else str(number))
+
+    def _value(self, scene: Any, path: str) -> float | None:
+        return None if self._auto else super()._value(scene, path)
+
+    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
+        return self._shape or (tr("auto"),) * len(self.editors)
+
+    def _is_there(self, scene: Any) -> bool:
+        return NumberRow._is_there(self, scene)
+
+    def _alone(self, texts: Sequence[str]) -> bool:
+        return all(texts) and not self._auto
 
     def _choose(self, auto: bool) -> None:
         self._emit_edit(
             self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]}
         )
-
-    def _commit(self, path: str, text: str) -> None:
-        texts = [editor.text().strip() for editor in self.editors.values()]
-        if not text.strip():
-            self._emit_edit(self.path, {self.path: AUTO})
-        elif all(texts) and not self._auto:
-            self._emit_edit(path, {path: self.editors[path].typed(text)})
-        else:  # a number alone counts for both
-            values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._emit_edit(self.path, {self.path: values})
-
-
-class OptionalRow(NumberRow):
-    """A number, or two of them, that may be left empty."""
-
-    def __init__(
-        self,
-        path: str,
-        label: str,
-        tip: str,
-        measure: Measure,
-        stand_in: Callable[[Any], Sequence[float | str]],
-        between: str = "",
-        count: int = 2,
-        whole: bool = False,
-    ) -> None:
-        super().__init__(path, label, tip, measure, between, count, whole)
-        self._stand_in = stand_in
-
-    def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the numbers, or the fallback as a placeholder."""
-        Row.show_scene(self, scene, pending)
-        stand_ins = self._stand_in(scene)
-        for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
-            faint = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
-            editor.setPlaceholderText(faint)
-            if path not in pending:
-                value = value_at(scene, path)
-                editor.show_value("" if value is None else format(value, ".12g"))
-
-    def _is_there(self, scene: Any) -> bool:
-        return holder_of(scene, self.path)[0] is not None
-
-    def _commit(self, path: str, text: str) -> None:
-        if not text.strip():
-            self._emit_edit(path, {self.path: None})
-        elif path == self.path:
-            self._emit_edit(path, {path: self.editors[path].typed(text)})
-        else:  # a number alone counts for both
-            texts = [editor.text().strip() or text for editor in self.editors.values()]
-            values = [e.typed(t) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._emit_edit(path, {self.path: values})

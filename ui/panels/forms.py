@@ -8,8 +8,9 @@ from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
-from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
+from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.elements import ElementsPanel
+from ui.panels.entries import Entries, Waiting, row_of
 from ui.panels.fields import Row
 from ui.panels.images import ImagesPanel, TargetPanel
 from ui.panels.panel import Panel, PartPanel
@@ -39,7 +40,8 @@ class Forms(QScrollArea):
     def __init__(self, document: Document) -> None:
         super().__init__()
         self._document = document
-        self._pending: dict[str, Waiting] = {}
+        self._entries = Entries(self._make)
+        self._pending = self._entries.waiting
         self._refusals: tuple[str, ...] = ()
         self._editing = self._running = False
         self._run_hint = ""
@@ -144,7 +146,7 @@ class Forms(QScrollArea):
         paths = [p for p in self._pending if row.concerns(p)] if row else list(self._pending)[-1:]
         if row is None and not paths:
             return False
-        row = row or _row_of(paths[0], self._rows())
+        row = row or row_of(paths[0], self._rows())
         for path in paths:
             del self._pending[path]
         self._show()
@@ -231,7 +233,7 @@ class Forms(QScrollArea):
 
     def edit(self, edit: Edit) -> None:
         """Try an edit together with those that wait; keep it waiting if it is refused."""
-        refused = try_with_waiting(edit, self._pending, self._try)
+        refused = self._entries.make(edit)
         if refused is not None:
             self._refuse(edit, refused)
         self._show()
@@ -247,22 +249,19 @@ class Forms(QScrollArea):
                 )
             )
 
-    def _try(self, edits: list[Edit]) -> Refused | None:
+    def _make(self, edits: list[Edit]) -> None:
         self._editing = True
         try:
             scene = edited_scene(self._session.scene, edits)
             last = edits[-1]
             if self._running:
                 self._postpone(edits, scene)
-                return None
+                return
             key = "" if last.alone else last.field
             before = self._document.before(key).scene
             self._document.edit(scene, last.step(before, scene), key)
-        except Refused as refused:
-            return refused
         finally:
             self._editing = False
-        return None
 
     def _read_image_again(self) -> None:
         if self._running:
@@ -309,26 +308,14 @@ class Forms(QScrollArea):
         for panel in self.panels:
             panel.prepare(session)
         present = [row for row in self._rows() if row.present(session.scene)]
-        self._pending = {
-            path: waiting
-            for path, waiting in self._pending.items()
-            if has_place(session.scene, waiting.edit) and any(row.concerns(path) for row in present)
-        }
+        for path, waiting in list(self._pending.items()):
+            if not (has_place(session.scene, waiting.edit) and row_of(path, present)):
+                del self._pending[path]
         for panel in self.panels:
             panel.show_session(session, set(present), self._pending.keys())
-        reasons: dict[Row, str] = {}
-        refusals = []
-        for path, waiting in self._pending.items():
-            refused_row = _row_of(waiting.refused.path, present)
-            edited = _row_of(path, present)
-            reason = tr(waiting.refused.reason)
-            if refused_row is not None:
-                reasons[refused_row] = reason
-            if edited is not None and edited is not refused_row:
-                where = refused_row.name if refused_row is not None else waiting.refused.path
-                reasons[edited] = f"{where}: {reason}"
-            if edited is not None:
-                refusals.append(f"{edited.name}: {reasons[edited]}")
+        reasons = self._entries.reasons(present)
+        edited = [row for path in self._pending if (row := row_of(path, present)) is not None]
+        refusals = [f"{row.name}: {reasons[row]}" for row in edited]
         for panel in self.panels:
             for row in panel.rows:
                 row.refuse(reasons.get(row, ""))
@@ -345,8 +332,3 @@ class Forms(QScrollArea):
 
     def _rows(self) -> list[Row]:
         return [row for panel in self.panels for row in panel.rows]
-
-
-def _row_of(path: str, rows: list[Row]) -> Row | None:
-    """Return the last row of a path, which holds the value."""
-    return next((row for row in reversed(rows) if row.concerns(path)), None)

@@ -11,12 +11,11 @@ from PySide6.QtWidgets import QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Row, TextRow
-from ui.panels.lists import ListedPanel, PartListRow
+from ui.panels.lists import ListedPanel
 from ui.panels.panel import PartPanel
-from ui.panels.rows import KindRow, Make, Rows
+from ui.panels.rows import KindRow, Make, Rows, file_rows
 from ui.words import in_sentence, tr
 from workbench.arrays import Array
-from workbench.design.task import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish, Image, Scene
 from workbench.scene.image import as_viewed
@@ -58,7 +57,7 @@ class TargetPanel(PartPanel):
         self._form.insertRow(0, self._thumbnail)
 
     def own_rows(self) -> dict[str, Make]:
-        return {"image": image_rows}
+        return {"image": file_rows}
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the target's settings and the image itself."""
@@ -81,14 +80,6 @@ def of_image(path: Path, before: Finish) -> dict[str, object]:
     finish = {name: getattr(before, name) for name in Finish.model_fields}
     tone = "linear" if path.suffix.lower() in _OF_LIGHT else "srgb"
     return {"image": str(path.absolute()), "tone": tone, **finish}
-
-
-def image_rows(field: FieldDescription, path: str) -> list[Row]:
-    """Return a row with a button to choose a file."""
-    kept = tr("The design keeps images of up to {largest} MB.").format(
-        largest=LARGEST_PICTURE >> 20
-    )
-    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose an image file"))]
 
 
 class Thumbnail(QWidget):
@@ -133,16 +124,17 @@ class Thumbnail(QWidget):
 _FARTHER = 1.2  # times as far from the lens as the receiver before
 
 
-class ImageListRow(PartListRow[Image]):
-    """List of the images."""
+class ImagesPanel(ListedPanel[Image]):
+    """Bound to ``scene.images``; receiver and target of the first one have panels of their own."""
 
-    def __init__(self, label: str, tip: str) -> None:
+    image_asked = Signal()
+
+    def __init__(self, field: FieldDescription) -> None:
         super().__init__(
+            tr(field.title),
+            field,
             "images",
-            label,
-            tip,
             tr("image"),
-            tr("Images"),
             (
                 tr("Add an image farther away, with the target of the last one"),
                 tr("Add a copy of the selected image"),
@@ -151,41 +143,29 @@ class ImageListRow(PartListRow[Image]):
                 tr("Move the selected image down"),
             ),
         )
-        self._scene: Scene | None = None
 
-    def show_images(self, scene: Scene) -> None:
-        self._scene = scene
+    def parts_of(self, scene: Scene) -> tuple[Image, ...]:
+        return scene.images
+
+    def remark(self, scene: Scene) -> str:
         of_first = tr("The panels Target and Receiver belong to image 1.")
-        self.show_parts(scene.images, of_first if len(scene.images) > 1 else "")
+        return of_first if len(scene.images) > 1 else ""
 
-    def _new(self, which: int) -> Image:
-        assert self._scene is not None  # shown before anything can be clicked
-        last, near = self._scene.images[-1], self._scene.optic.leaving_z
+    def new(self, which: int) -> Image:
+        scene = self.session.scene
+        last, near = scene.images[-1], scene.optic.leaving_z
         receiver = last.receiver
         if receiver.at_distance:
             away = _FARTHER * (receiver.plane_z - near)
             receiver = receiver.moved_to(float(f"{near + away:.6g}"))
         return Image(receiver=receiver, target=last.target)
 
-    def _summary(self, part: Image) -> str:
+    def summary(self, part: Image) -> str:
         receiver = part.receiver
         place = f"z = {receiver.plane_z:.6g}" if receiver.at_distance else tr(receiver.called)
         return tr("{place}, {target}, weight {weight:g}").format(
             place=place, target=in_sentence(tr(title_of(type(part.target)))), weight=part.weight
         )
-
-
-class ImagesPanel(ListedPanel):
-    """Bound to ``scene.images``; receiver and target of the first one have panels of their own."""
-
-    image_asked = Signal()
-
-    def __init__(self, field: FieldDescription) -> None:
-        self._list = ImageListRow(tr(field.title), tr(field.tip))
-        super().__init__(tr(field.title), self._list)
-
-    def show_list(self, session: Session) -> None:
-        self._list.show_images(session.scene)
 
     def name_of(self, number: int) -> str:
         return tr("Image {number}").format(number=number + 1)
@@ -201,7 +181,7 @@ class ImagesPanel(ListedPanel):
         path = f"images[{number}]"
         rows = Rows(
             lambda: self.session.scene.single[number],
-            {"image": image_rows},
+            {"image": file_rows},
             stage=path,
             place="images[0]",
         )

@@ -17,33 +17,127 @@ from ui.panels.panel import Panel
 from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.files.session import Session
-from workbench.scene import Part
+from workbench.scene import FieldDescription, Part, Scene
 
 _MOST_SEEN = 6  # parts; more are scrolled to
 
 AnyPart = TypeVar("AnyPart", bound=Part)
 
 
-class PartListRow(Row, Generic[AnyPart]):
+class ListedPanel(Panel, Generic[AnyPart]):
+    """A list of parts at a path, with buttons; below it the rows of the selected part.
+
+    ``called`` is the name of a part, ``tips`` are those of the buttons, ``adding`` texts of the
+    buttons that add parts.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        field: FieldDescription,
+        path: str,
+        called: str,
+        tips: Sequence[str],
+        adding: Sequence[str] = (),
+    ) -> None:
+        self._bound = -1  # the part whose rows are there
+        self._called = ""  # in their names
+        self.list = PartList(self, field, path, called, tips, adding)
+        super().__init__(title, [self.list])
+        self.list.chosen.connect(self._choose)
+
+    def prepare(self, session: Session) -> None:
+        """Make rows for the selected part."""
+        self._session = session
+        self.list.show_parts(self.parts_of(session.scene), self.remark(session.scene))
+        self._bind(self.list.current)
+
+    @abstractmethod
+    def parts_of(self, scene: Scene) -> tuple[AnyPart, ...]:
+        """Return the parts of a scene."""
+
+    def remark(self, scene: Scene) -> str:
+        """Return a sentence below the list."""
+        return ""
+
+    @abstractmethod
+    def new(self, which: int) -> AnyPart:
+        """Return the part that an add button appends."""
+
+    @abstractmethod
+    def summary(self, part: AnyPart) -> str:
+        """Return a description of a part in one line."""
+
+    @abstractmethod
+    def name_of(self, number: int) -> str:
+        """Return the title of a part."""
+
+    @abstractmethod
+    def rows_of(self, number: int) -> list[Row]:
+        """Return the rows of a part."""
+
+    def copy(self, part: AnyPart) -> AnyPart:
+        return part
+
+    def place_of_copy(self) -> int:
+        return self.list.current + 1
+
+    def exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
+        return second, first
+
+    def chosen_among(self, before: tuple[AnyPart, ...], parts: tuple[AnyPart, ...]) -> int:
+        """Return the part to select when the parts have changed."""
+        return min(max(self.list.current, 0), len(parts) - 1)
+
+    def _choose(self) -> None:
+        self._bind(self.list.current)
+        self.reverted.emit(self.list.path)
+
+    def _bind(self, number: int) -> None:
+        name = self.name_of(number) if number >= 0 else ""
+        if number != self._bound:
+            self._remove_rows(list(self.rows[1:]))
+            self._bound = number
+            if number >= 0:
+                self._add_rows(self.rows_of(number), name)
+                self._put_in_tab_order()
+        elif name != self._called:
+            self._name_rows(self.rows[1:], name)
+        self._called = name
+
+    def _put_in_tab_order(self) -> None:
+        """Let Tab reach the new rows behind the list; they would come last of all panels."""
+        stops = [
+            widget
+            for row in self.rows
+            for widget in row.findChildren(QWidget)
+            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+            and widget.focusProxy() is None
+            and widget.window() is self.window()  # not the lists that choosers open
+        ]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)
+
+
+class PartList(Row):
     """List of parts, with buttons to add, duplicate, remove and move them."""
 
     chosen = Signal()
 
     def __init__(
         self,
+        panel: ListedPanel[Any],
+        field: FieldDescription,
         path: str,
-        label: str,
-        tip: str,
         called: str,
-        name: str,
         tips: Sequence[str],
-        adding: Sequence[str] = (),
+        adding: Sequence[str],
     ) -> None:
-        super().__init__(path, label, tip)
-        self._called = called
-        self._parts: tuple[AnyPart, ...] = ()
+        super().__init__(field, path)
+        self._panel, self._called = panel, called
+        self._parts: tuple[Any, ...] = ()
         self._list = QListWidget()
-        self._list.setAccessibleName(name)
+        self._list.setAccessibleName(self.label.text())
         self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
@@ -81,16 +175,16 @@ class PartListRow(Row, Generic[AnyPart]):
     def _is_there(self, scene: Any) -> bool:
         return True
 
-    def show_parts(self, parts: tuple[AnyPart, ...], remark: str) -> None:
+    def show_parts(self, parts: tuple[Part, ...], remark: str) -> None:
         """Show the parts, and below them a remark."""
         if parts != self._parts:
             with QSignalBlocker(self._list):
-                chosen = self._chosen_among(parts)
+                chosen = self._panel.chosen_among(self._parts, parts)
                 self._parts = parts
                 self._list.clear()
                 for number, part in enumerate(parts, start=1):
-                    self._list.addItem(f"{number}.  {self._summary(part)}")
-                    self._list.item(number - 1).setToolTip(self._summary(part))
+                    self._list.addItem(f"{number}.  {self._panel.summary(part)}")
+                    self._list.item(number - 1).setToolTip(self._panel.summary(part))
                 self._list.setCurrentRow(chosen)
         if parts:
             rows = min(len(parts), _MOST_SEEN)
@@ -100,26 +194,6 @@ class PartListRow(Row, Generic[AnyPart]):
         self._rest.setVisible(bool(remark))
         self._list.setVisible(bool(parts))
         self._enable()
-
-    @abstractmethod
-    def _new(self, which: int) -> AnyPart:
-        """Return the part that an add button appends."""
-
-    @abstractmethod
-    def _summary(self, part: AnyPart) -> str:
-        """Return a description of a part in one line."""
-
-    def _copy(self, part: AnyPart) -> AnyPart:
-        return part
-
-    def _place_of_copy(self) -> int:
-        return self.current + 1
-
-    def _exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
-        return second, first
-
-    def _chosen_among(self, parts: tuple[AnyPart, ...]) -> int:
-        return min(max(self.current, 0), len(parts) - 1)
 
     def _enable(self) -> None:
         current, last = self.current, len(self._parts) - 1
@@ -131,15 +205,15 @@ class PartListRow(Row, Generic[AnyPart]):
 
     def _append(self, which: int) -> None:
         self._put(
-            [*self._parts, self._new(which)],
+            [*self._parts, self._panel.new(which)],
             tr("new {part}").format(part=self._called),
             len(self._parts),
         )
 
     def _duplicate(self) -> None:
         current, parts = self.current, list(self._parts)
-        place = self._place_of_copy()
-        parts.insert(place, self._copy(parts[current]))
+        place = self._panel.place_of_copy()
+        parts.insert(place, self._panel.copy(parts[current]))
         self._put(
             parts,
             tr("copy of {part} {number}").format(part=self._called, number=current + 1),
@@ -158,14 +232,14 @@ class PartListRow(Row, Generic[AnyPart]):
     def _move(self, step: int) -> None:
         current, parts = self.current, list(self._parts)
         first = min(current, current + step)
-        parts[first : first + 2] = self._exchanged(*parts[first : first + 2])
+        parts[first : first + 2] = self._panel.exchanged(*parts[first : first + 2])
         self._put(
             parts,
             tr("move of {part} {number}").format(part=self._called, number=current + 1),
             current + step,
         )
 
-    def _put(self, parts: list[AnyPart], text: str, chosen: int) -> None:
+    def _put(self, parts: list[Part], text: str, chosen: int) -> None:
         data = _data(parts)
         self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
         if _data(self._parts) == data:  # not refused
@@ -199,61 +273,3 @@ def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
         line.addWidget(button)
     line.addStretch()
     return line
-
-
-class ListedPanel(Panel):
-    """A list of parts, and the rows of the selected part."""
-
-    def __init__(self, title: str, parts: PartListRow[Any]) -> None:
-        self._parts = parts
-        self._bound = -1  # the part whose rows are there
-        self._called = ""  # in their names
-        super().__init__(title, [parts])
-        parts.chosen.connect(self._choose)
-
-    def prepare(self, session: Session) -> None:
-        """Make rows for the selected part."""
-        self._session = session
-        self.show_list(session)
-        self._bind(self._parts.current)
-
-    @abstractmethod
-    def show_list(self, session: Session) -> None:
-        """List the parts of a session."""
-
-    @abstractmethod
-    def name_of(self, number: int) -> str:
-        """Return the title of a part."""
-
-    @abstractmethod
-    def rows_of(self, number: int) -> list[Row]:
-        """The rows of a part."""
-
-    def _choose(self) -> None:
-        self._bind(self._parts.current)
-        self.reverted.emit(self._parts.path)
-
-    def _bind(self, number: int) -> None:
-        name = self.name_of(number) if number >= 0 else ""
-        if number != self._bound:
-            self._remove_rows(list(self.rows[1:]))
-            self._bound = number
-            if number >= 0:
-                self._add_rows(self.rows_of(number), name)
-                self._put_in_tab_order()
-        elif name != self._called:
-            self._name_rows(self.rows[1:], name)
-        self._called = name
-
-    def _put_in_tab_order(self) -> None:
-        """Let Tab reach the new rows behind the list; they would come last of all panels."""
-        stops = [
-            widget
-            for row in self.rows
-            for widget in row.findChildren(QWidget)
-            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
-            and widget.focusProxy() is None
-            and widget.window() is self.window()  # not the lists that choosers open
-        ]
-        for before, after in pairwise(stops):
-            self.setTabOrder(before, after)

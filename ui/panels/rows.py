@@ -1,7 +1,7 @@
 """Makes the rows of a part of the scene from what its fields say of themselves."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
-from operator import attrgetter
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -19,10 +19,12 @@ from ui.panels.fields import (
     PairsRow,
     Row,
     TextRow,
+    described,
 )
 from ui.words import in_sentence, tr
+from workbench.design.task import LARGEST_PICTURE
 from workbench.scene import FieldDescription, Kinds, Part, Scene
-from workbench.scene.fields import Fallback, ForMethod, LeftOut
+from workbench.scene.fields import ForMethod, LeftOut
 from workbench.scene.part import summary_of, title_of
 from workbench.scene.paths import value_at
 
@@ -118,27 +120,26 @@ class Rows:
 
 def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
     """The row of a field at a path that holds numbers, a choice, a yes or no, or text."""
-    label, tip = tr(field.title), f"{tr(field.tip)} {_limits(field)}".rstrip()
     if field.choices:
-        choices = [(value, tr(title)) for value, title in field.choices]
         if left_out := field.mark(LeftOut):
             otherwise = tr(left_out.title)
-        return ChoiceRow(path, label, tip, choices, otherwise if field.optional else "")
+        return ChoiceRow(field, path, otherwise=otherwise if field.optional else "")
     if field.type is bool:
-        return CheckRow(path, label, tip)
-    if field.number is None and field.several:
-        return PairsRow(path, label, tip, optional=field.optional)
+        return CheckRow(field, path)
     if field.number is None:
-        return TextRow(path, label, tip, optional=field.optional)
+        return PairsRow(field, path) if field.several else TextRow(field, path)
     if field.several:
-        return NumbersRow(path, label, tip, measure=field.measure)
-    between = field.between if field.count > 1 else ""
-    numbers = (between, field.count, field.number is int)
+        return NumbersRow(field, path)
     if field.auto:
-        return AutoRow(path, label, tip, field.measure, *numbers)
-    if field.optional:
-        return OptionalRow(path, label, tip, field.measure, _stand_in(field), *numbers)
-    return NumberRow(path, label, tip, field.measure, *numbers)
+        return AutoRow(field, path)
+    return OptionalRow(field, path) if field.optional else NumberRow(field, path)
+
+
+def file_rows(field: FieldDescription, path: str) -> list[Row]:
+    """Return a row with a button to choose a file."""
+    kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
+    tip = f"{tr(field.tip)} {kept}"
+    return [TextRow(replace(field, tip=tip), path, tr("Choose a file"))]
 
 
 class KindRow(ChoiceRow):
@@ -157,10 +158,10 @@ class KindRow(ChoiceRow):
     ) -> None:
         self._part, self._kinds, self._begin = part, kinds, begin
         self._named = {kinds.name_of(kind): kind for kind in field.parts}
+        tip = " ".join([tr(field.tip), *map(_sentence, field.parts)])
         super().__init__(
+            described(label, tip),
             f"{part}.{kinds.field}",
-            label,
-            " ".join([tr(field.tip), *map(_sentence, field.parts)]),
             [(name, tr(title_of(kind))) for name, kind in self._named.items()],
             otherwise,
             read=self._read_kind,
@@ -199,11 +200,6 @@ def _sentence(kind: type[Part]) -> str:
     return f"{tr(title_of(kind))}: {in_sentence(tr(summary_of(kind)))}"
 
 
-def _limits(field: FieldDescription) -> str:
-    sentence, *ends = field.bounds
-    return tr(sentence).format(*ends)
-
-
 def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[type[Part]]]]:
     """Fields of all kinds in order, each with the kinds that have it; equal fields are merged."""
     merged: list[tuple[FieldDescription, list[type[Part]]]] = []
@@ -222,11 +218,3 @@ def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[ty
 
 def _is_of(path: str, kinds: Sequence[type[Part]]) -> Condition:
     return lambda scene: type(value_at(scene, path)) in kinds
-
-
-def _stand_in(field: FieldDescription) -> Callable[[Any], Sequence[float | str]]:
-    fallback = field.mark(Fallback)
-    if fallback is None:
-        return lambda scene: [tr("none")] * field.count
-    found = attrgetter(fallback.path)
-    return lambda scene: found(scene) if field.count > 1 else [found(scene)]

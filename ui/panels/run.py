@@ -5,15 +5,14 @@ from typing import Any
 
 from PySide6.QtWidgets import QLabel
 
-from ui.panels.fields import Changes, ChoiceRow, Row
-from ui.panels.lists import ListedPanel, PartListRow
+from ui.panels.fields import Changes, ChoiceRow, Row, described
+from ui.panels.lists import ListedPanel
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, Rows, value_row
 from ui.words import in_sentence, later, tr
 from workbench.design.parametrisation import memory_bytes, parameter_count
-from workbench.files.session import Session
 from workbench.process import as_bytes
-from workbench.scene import FieldDescription, Stage
+from workbench.scene import FieldDescription, Scene, Stage
 from workbench.scene.part import title_of
 
 
@@ -26,14 +25,11 @@ class RunPanel(PartPanel):
 
 class _SizeRow(Row):
     def __init__(self) -> None:
-        super().__init__(
-            "run.parameters",
-            tr("Parameters"),
-            tr(
-                "Number of optimised parameters, and their memory with gradient and optimiser "
-                "state. A network that does not fit into memory is refused at the start."
-            ),
+        tip = tr(
+            "Number of optimised parameters, and their memory with gradient and optimiser state. "
+            "A network that does not fit into memory is refused at the start."
         )
+        super().__init__(described(tr("Parameters"), tip), "run.parameters")
         self._text = QLabel()
         self._add(self._text)
 
@@ -48,20 +44,27 @@ class _SizeRow(Row):
         return True
 
 
-class StageListRow(PartListRow[Stage]):
-    """List of the stages."""
+def _iterations(count: int) -> str:
+    return tr("1 iteration") if count == 1 else tr("{count} iterations").format(count=count)
+
+
+_AS_THE_SCENE = later("As the scene")
+
+
+class StagesPanel(ListedPanel[Stage]):
+    """Bound to ``scene.run.stages``."""
 
     def __init__(self) -> None:
+        tip = tr(
+            "Stages that a run completes before the scene itself; each continues from the lens of "
+            "the previous one. Example: a point source before an extended one, or a coarse net "
+            "before a fine one."
+        )
         super().__init__(
-            "run.stages",
             tr("Stages"),
-            tr(
-                "Stages that a run completes before the scene itself; each continues from the "
-                "lens of the previous one. Example: a point source before an extended one, or a "
-                "coarse net before a fine one."
-            ),
+            described(tr("Stages"), tip),
+            "run.stages",
             tr("stage"),
-            tr("Stages of the run"),
             (
                 tr("Add a stage behind the others"),
                 tr("Add a copy of the selected stage"),
@@ -70,18 +73,25 @@ class StageListRow(PartListRow[Stage]):
                 tr("Run the selected stage later"),
             ),
         )
-        self._left = 0
 
-    def show_stages(self, stages: tuple[Stage, ...], iterations: int) -> None:
-        """Show the stages, and the remaining iterations."""
-        self._left = iterations - sum(stage.iterations for stage in stages)
-        then = tr("Then the scene itself: {iterations}.").format(iterations=_iterations(self._left))
-        self.show_parts(stages, then if stages else tr("None: the run has only the scene itself."))
+    def parts_of(self, scene: Scene) -> tuple[Stage, ...]:
+        return scene.run.stages
 
-    def _new(self, which: int) -> Stage:
-        return Stage(iterations=max(1, self._left // 2))
+    def remark(self, scene: Scene) -> str:
+        if not scene.run.stages:
+            return tr("None: the run has only the scene itself.")
+        left = _iterations(self._iterations_left)
+        return tr("Then the scene itself: {iterations}.").format(iterations=left)
 
-    def _summary(self, part: Stage) -> str:
+    @property
+    def _iterations_left(self) -> int:
+        run = self.session.scene.run
+        return run.iterations - sum(stage.iterations for stage in run.stages)
+
+    def new(self, which: int) -> Stage:
+        return Stage(iterations=max(1, self._iterations_left // 2))
+
+    def summary(self, part: Stage) -> str:
         parts = [_iterations(part.iterations)]
         if part.method is not None:
             (method,) = (field for field in Stage.fields() if field.name == "method")
@@ -95,25 +105,6 @@ class StageListRow(PartListRow[Stage]):
             kind = in_sentence(tr(title_of(type(part.filter))))
             parts.append(tr("{kind} filter").format(kind=kind))
         return ", ".join(parts)
-
-
-def _iterations(count: int) -> str:
-    return tr("1 iteration") if count == 1 else tr("{count} iterations").format(count=count)
-
-
-_AS_THE_SCENE = later("As the scene")
-
-
-class StagesPanel(ListedPanel):
-    """Bound to ``scene.run.stages``."""
-
-    def __init__(self) -> None:
-        self._list = StageListRow()
-        super().__init__(tr("Stages"), self._list)
-
-    def show_list(self, session: Session) -> None:
-        run = session.scene.run
-        self._list.show_stages(run.stages, run.iterations)
 
     def name_of(self, number: int) -> str:
         return tr("Stage {number}").format(number=number + 1)
@@ -137,13 +128,4 @@ class StagesPanel(ListedPanel):
                 made[rate] = None
             return made
 
-        return [
-            ChoiceRow(
-                path,
-                tr(field.title),
-                tr(field.tip),
-                [(value, tr(title)) for value, title in field.choices],
-                tr(_AS_THE_SCENE),
-                changes=changes,
-            )
-        ]
+        return [ChoiceRow(field, path, otherwise=tr(_AS_THE_SCENE), changes=changes)]

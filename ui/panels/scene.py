@@ -8,9 +8,8 @@ from PySide6.QtCore import Signal
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, ChoiceRow, Row, TextRow
 from ui.panels.panel import Panel, PartPanel
-from ui.panels.rows import KindRow, Make, Rows
+from ui.panels.rows import KindRow, Make, Rows, file_rows
 from ui.words import tr
-from workbench.design.task import LARGEST_PICTURE
 from workbench.scene import (
     FieldDescription,
     Kinds,
@@ -34,7 +33,7 @@ class ScenePanel(Panel):
 
 def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
     units = [(unit, unit) for unit, _ in field.choices]  # in small letters
-    return [_UnitRow(path, tr(field.title), tr(field.tip), units)]
+    return [_UnitRow(field, path, units)]
 
 
 class _UnitRow(ChoiceRow):
@@ -86,9 +85,3 @@ class SourcePanel(PartPanel):
             "source.file", tr("change of file of light"), {"source": source | file}, waits=False
         )
         self.edited.emit(edit)
-
-
-def file_rows(field: FieldDescription, path: str) -> list[Row]:
-    """Return a row with a button to choose a file."""
-    kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
-    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose a file of light"))]

@@ -76,6 +76,13 @@ def fits(dialog):
     return dialog.write.isEnabled()
 
 
+def enter(qtbot, fields, name, text):
+    """Type into a field; gives its row."""
+    row = fields.rows[name]
+    fill(qtbot, row.editors[name], text)
+    return row
+
+
 class TestFields:
     def test_they_take_units(self, fields, qtbot):
         for name, text in (
@@ -86,23 +93,30 @@ class TestFields:
             ("spindle_speed", "12000"),
             ("dwell", "2.5"),
         ):
-            fill(qtbot, fields.lines[name], text, key=None)
-        fields.mould.click()
-        assert fields.cutting() == Cutting(0.15, 0.002, 0.0, None, 900, 90, 12_000, 2.5, True)
+            enter(qtbot, fields, name, text)
+        fields.rows["negative"].box.click()
+        assert fields.cutting == Cutting(0.15, 0.002, 0.0, None, 900, 90, 12_000, 2.5, True)
+
+    def test_an_empty_field_is_the_default(self, fields, qtbot):
+        for name in ("tool_radius", "feed"):
+            enter(qtbot, fields, name, "7")
+            enter(qtbot, fields, name, "")
+        assert fields.cutting == PLAIN
+        placeholders = [fields.rows[n].editors[n].placeholderText() for n in ("scallop", "feed")]
+        assert placeholders == ["automatic", "600"]
 
     @pytest.mark.parametrize(
         ("name", "text", "why"),
         [
-            ("tool_radius", "0", "Tool radius: 0; a length above 0"),
-            ("rim", "-1", "Clamping rim: -1; a length of 0 or more"),
-            ("feed", "x", "Feed: 'x' is not a number"),
-            ("spindle_speed", "0", "Spindle speed: 0 rpm; from 1 to 200,000 rpm"),
+            ("tool_radius", "0", "0; a length above 0"),
+            ("rim", "-1", "-1; a length of 0 or more"),
+            ("feed", "x", "'x' is not a number"),
+            ("spindle_speed", "0", "0 rpm; from 1 to 200,000 rpm"),
         ],
     )
     def test_impossible_input_is_refused_with_what_is_allowed(self, fields, qtbot, name, text, why):
-        fill(qtbot, fields.lines[name], text, key=None)
-        with pytest.raises(ValueError, match=why):
-            fields.cutting()
+        row = enter(qtbot, fields, name, text)
+        assert why in row.refusal and fields.refused and fields.cutting == PLAIN
 
 
 def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
@@ -126,7 +140,9 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     monkeypatch.undo()
     dialog.fit.click()
     qtbot.waitUntil(lambda: fits(dialog))
-    assert dialog.plan.cutting.tool_radius == float(dialog.fields.lines["tool_radius"].text())
+    assert dialog.plan.cutting.tool_radius == float(
+        dialog.fields.rows["tool_radius"].editors["tool_radius"].text()
+    )
 
 
 def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, qtbot):
@@ -141,8 +157,7 @@ def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, q
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
     keep_cutting(settings, "cm", COARSE)
     ask = AskCutting(window, settings)
-    answer(lambda dialog: dialog.fields.lines["feed"].setText("700"))
-    answer(lambda dialog: (dialog.simulate(), answer(CutterDialog._accept, fits)), fits)
+    answer(lambda dialog: (dialog.fields.enter("feed", 700.0), answer(CutterDialog._accept, fits)))
     plan = ask(designed)
     assert plan.cutting == Cutting(0.2, 0.002, feed=700.0)
     answer(lambda dialog: dialog.reject())

@@ -1,0 +1,141 @@
+"""Entries of a form: edits that are refused wait, and each reason stands beside its row."""
+
+from collections.abc import Callable, Iterable, Sequence
+from copy import deepcopy
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.panels.edits import Edit, put
+from ui.panels.fields import Row
+from ui.words import tr
+from workbench.errors import Refused
+
+
+@dataclass(frozen=True)
+class Waiting:
+    """An edit that was refused, and why."""
+
+    edit: Edit
+    refused: Refused
+
+
+Attempt = Callable[[list[Edit]], None]
+"""Makes edits, or raises `Refused`."""
+
+
+class Entries:
+    """Makes edits, each together with those that were refused before."""
+
+    def __init__(self, attempt: Attempt) -> None:
+        self._attempt = attempt
+        self.waiting: dict[str, Waiting] = {}
+
+    def make(self, edit: Edit) -> Refused | None:
+        """Make an edit with refused ones, which may be possible now; or else alone."""
+        self.waiting.pop(edit.path, None)
+        others = [waiting.edit for waiting in self.waiting.values()]
+        refused = self._refusal([*others, edit])
+        if refused is None:
+            self.waiting.clear()
+            return None
+        return self._refusal([edit]) if others else refused
+
+    def reasons(self, present: Sequence[Row]) -> dict[Row, str]:
+        """Return why entries are refused, for the rows of edits and those that are to blame."""
+        reasons: dict[Row, str] = {}
+        for path, waiting in self.waiting.items():
+            refused, edited = row_of(waiting.refused.path, present), row_of(path, present)
+            reason = tr(waiting.refused.reason)
+            if refused is not None:
+                reasons[refused] = reason
+            if edited is not None and edited is not refused:
+                where = refused.name if refused is not None else waiting.refused.path
+                reasons[edited] = f"{where}: {reason}"
+        return reasons
+
+    def _refusal(self, edits: list[Edit]) -> Refused | None:
+        try:
+            self._attempt(edits)
+        except Refused as refused:
+            return refused
+        return None
+
+
+def row_of(path: str, rows: Sequence[Row]) -> Row | None:
+    """Return the last row of a path, which holds the value."""
+    return next((row for row in reversed(rows) if row.concerns(path)), None)
+
+
+def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
+    """Return plain data after some edits."""
+    edited = deepcopy(data)
+    for edit in edits:
+        put(edit, edited)
+    return edited
+
+
+def set_visible(row: Row, visible: bool) -> None:
+    """Show or hide a row with its label."""
+    row.setVisible(visible)
+    row.label.setVisible(visible)
+
+
+class RowEntries(QObject):
+    """The rows of a form that edit one whole, such as a job or plain data."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        rows: Sequence[Row],
+        whole: Callable[[], Any],
+        attempt: Attempt,
+        parent: QObject,
+        show: Callable[[Row, bool], object] = set_visible,
+    ) -> None:
+        super().__init__(parent)
+        self.rows, self._whole, self._show_row = rows, whole, show
+        self._entries = Entries(attempt)
+        for row in rows:
+            row.edited.connect(self.edit)
+            row.reverted.connect(self._revert)
+
+    @property
+    def refused(self) -> bool:
+        return bool(self._entries.waiting)
+
+    def commit(self) -> None:
+        for row in self.rows:
+            row.commit()
+
+    def edit(self, edit: Edit) -> None:
+        """Make an edit, or keep it waiting if it is refused."""
+        refused = self._entries.make(edit)
+        if refused is not None:
+            self._entries.waiting[edit.path] = Waiting(edit, refused)
+        self.show()
+        self.changed.emit()
+
+    def forget(self) -> None:
+        """Drop refused edits."""
+        self._entries.waiting.clear()
+
+    def show(self) -> None:
+        """Show the whole, and refused entries as typed."""
+        whole = self._whole()
+        present = [row for row in self.rows if row.present(whole)]
+        reasons = self._entries.reasons(present)
+        for row in self.rows:
+            if row in present:
+                row.show_scene(whole, self._entries.waiting.keys())
+            else:
+                row.forget()
+            self._show_row(row, row in present)
+            row.refuse(reasons.get(row, ""))
+
+    def _revert(self, path: str) -> None:
+        self._entries.waiting.pop(path, None)
+        self.show()
+        self.changed.emit()
