@@ -2590,18 +2590,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>From {least} to {most} {unit}.</source>
-            <translation>Von {least} bis {most} {unit}.</translation>
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Das Negativ der Fläche schneiden, um die y-Achse gewendet.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Cut a mould of the face</source>
             <translation>Eine Form der Fläche fräsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut the negative of the face, turned over about the y axis.</source>
-            <translation>Das Negativ der Fläche schneiden, um die y-Achse gewendet.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2750,8 +2745,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>{value:g} is not possible; enter a number above 0 or leave it empty</source>
-            <translation>{value:g} ist nicht möglich; eine Zahl über 0 eingeben oder leer lassen</translation>
+            <source>{value:g}; a number above 0, or empty, is needed</source>
+            <translation>{value:g}; nötig ist eine Zahl über 0 oder ein leeres Feld</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2930,6 +2925,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>{value}; {allowed}</source>
+            <translation>{value}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>a whole number from 1 to {most} is needed</source>
             <translation>eine ganze Zahl von 1 bis {most} ist nötig</translation>
         </message>
@@ -2950,23 +2950,23 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Lenses</source>
-            <translation>Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Number of traced lenses; more lenses give better percentiles</source>
             <translation>Zahl der gerechneten Linsen; mehr Linsen geben bessere Perzentile</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Seed</source>
-            <translation>Startwert</translation>
+            <source>The same seed gives the same lenses</source>
+            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
+            <source>Lenses</source>
+            <translation>Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Startwert</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -3015,13 +3015,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>element</source>
-            <translation>Element</translation>
+            <source>Optical train</source>
+            <translation>Optisches System</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Elements</source>
-            <translation>Elemente</translation>
+            <source>element</source>
+            <translation>Element</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3080,11 +3080,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Optical train</source>
-            <translation>Optisches System</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>Kind</source>
             <translation>Art</translation>
         </message>
@@ -3105,13 +3100,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>From the base</source>
-            <translation>Ab Grundform</translation>
+            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
+            <translation>Schranken der Kontrollhöhen relativ zur Grundform, nach unten und oben. Weitere Schranken erlauben größere Ablenkung.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
-            <translation>Schranken der Kontrollhöhen relativ zur Grundform, nach unten und oben. Weitere Schranken erlauben größere Ablenkung.</translation>
+            <source>From the base</source>
+            <translation>Ab Grundform</translation>
         </message>
         <message>
             <location filename="../../ui/panels/fields.py" />
@@ -3220,16 +3215,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>The design keeps images of up to {largest} MB.</source>
-            <translation>Der Entwurf bewahrt Bilder bis {largest} MB auf.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Choose an image file</source>
-            <translation>Eine Bilddatei wählen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>Target irradiance as its viewer sees it</source>
             <translation>Ziel-Bestrahlungsstärke, wie der Betrachter sie sieht</translation>
         </message>
@@ -3237,11 +3222,6 @@
             <location filename="../../ui/panels/images.py" />
             <source>image</source>
             <translation>Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Images</source>
-            <translation>Bilder</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3335,13 +3315,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
-            <source>region</source>
-            <translation>Ausschnitt</translation>
+            <source>Regions</source>
+            <translation>Bereiche</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
-            <source>Regions</source>
-            <translation>Bereiche</translation>
+            <source>region</source>
+            <translation>Ausschnitt</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
@@ -3394,9 +3374,14 @@
             <translation>In der Form x, y; x, y; …</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Parameters</source>
-            <translation>Parameter</translation>
+            <location filename="../../ui/panels/rows.py" />
+            <source>The design keeps files of up to {largest} MB.</source>
+            <translation>Der Entwurf bewahrt Dateien bis {largest} MB auf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/rows.py" />
+            <source>Choose a file</source>
+            <translation>Datei wählen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3405,8 +3390,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Stages</source>
-            <translation>Stufen</translation>
+            <source>Parameters</source>
+            <translation>Parameter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>1 iteration</source>
+            <translation>1 Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{count} iterations</source>
+            <translation>{count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>As the scene</source>
+            <translation>Wie die Szene</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3415,13 +3415,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>stage</source>
-            <translation>Stufe</translation>
+            <source>Stages</source>
+            <translation>Stufen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Stages of the run</source>
-            <translation>Stufen des Laufs</translation>
+            <source>stage</source>
+            <translation>Stufe</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3450,13 +3450,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Then the scene itself: {iterations}.</source>
-            <translation>Danach die Szene selbst: {iterations}.</translation>
+            <source>None: the run has only the scene itself.</source>
+            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Danach die Szene selbst: {iterations}.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3467,21 +3467,6 @@
             <location filename="../../ui/panels/run.py" />
             <source>{kind} filter</source>
             <translation>Filter: {kind}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>1 iteration</source>
-            <translation>1 Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{count} iterations</source>
-            <translation>{count} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>As the scene</source>
-            <translation>Wie die Szene</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3507,16 +3492,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>change of file of light</source>
             <translation>Lichtdatei ändern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>The design keeps files of up to {largest} MB.</source>
-            <translation>Der Entwurf bewahrt Dateien bis {largest} MB auf.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Choose a file of light</source>
-            <translation>Eine Lichtdatei wählen</translation>
         </message>
         <message>
             <location filename="../../ui/run/check.py" />
@@ -5761,6 +5736,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Elements</source>
+            <translation>Elemente</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Lenses, mirrors and diffusers in the order in which light meets them. Light that passes one by is lost there.</source>
             <translation>Linsen, Spiegel und Diffusoren in der Reihenfolge des Lichts. Licht, das eines davon verfehlt, ist dort verloren.</translation>
         </message>
@@ -6163,6 +6143,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Part of the light that goes on behind the diffuser, at all angles of incidence. It absorbs the rest, or reflects it.</source>
             <translation>Anteil des Lichts, der hinter dem Diffusor weiterläuft, bei allen Einfallswinkeln. Den Rest absorbiert oder reflektiert er.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Images</source>
+            <translation>Bilder</translation>
         </message>
         <message>
             <location filename="../../workbench" />

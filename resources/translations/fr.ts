@@ -2590,18 +2590,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>From {least} to {most} {unit}.</source>
-            <translation>De {least} à {most} {unit}.</translation>
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Cut a mould of the face</source>
             <translation>Usiner un moule de la face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut the negative of the face, turned over about the y axis.</source>
-            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2750,8 +2745,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>{value:g} is not possible; enter a number above 0 or leave it empty</source>
-            <translation>{value:g} est impossible ; entrez un nombre supérieur à 0 ou laissez vide</translation>
+            <source>{value:g}; a number above 0, or empty, is needed</source>
+            <translation>{value:g} ; il faut un nombre supérieur à 0 ou un champ vide</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2930,6 +2925,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>{value}; {allowed}</source>
+            <translation>{value} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>a whole number from 1 to {most} is needed</source>
             <translation>un nombre entier de 1 à {most} est requis</translation>
         </message>
@@ -2950,23 +2950,23 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Lenses</source>
-            <translation>Lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Number of traced lenses; more lenses give better percentiles</source>
             <translation>Nombre de lentilles tracées ; davantage donne de meilleurs percentiles</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Seed</source>
-            <translation>Graine</translation>
+            <source>The same seed gives the same lenses</source>
+            <translation>La même graine donne les mêmes lentilles</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>La même graine donne les mêmes lentilles</translation>
+            <source>Lenses</source>
+            <translation>Lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Graine</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -3015,13 +3015,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>element</source>
-            <translation>élément</translation>
+            <source>Optical train</source>
+            <translation>Train optique</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Elements</source>
-            <translation>Éléments</translation>
+            <source>element</source>
+            <translation>élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3080,11 +3080,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Optical train</source>
-            <translation>Train optique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>Kind</source>
             <translation>Genre</translation>
         </message>
@@ -3105,13 +3100,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>From the base</source>
-            <translation>Depuis la base</translation>
+            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
+            <translation>Bornes des hauteurs de contrôle par rapport à la base, vers le bas et le haut. Des bornes plus larges permettent une plus grande déviation.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Bounds of the control heights relative to the base, down and up. Wider bounds allow larger deflection.</source>
-            <translation>Bornes des hauteurs de contrôle par rapport à la base, vers le bas et le haut. Des bornes plus larges permettent une plus grande déviation.</translation>
+            <source>From the base</source>
+            <translation>Depuis la base</translation>
         </message>
         <message>
             <location filename="../../ui/panels/fields.py" />
@@ -3220,16 +3215,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>The design keeps images of up to {largest} MB.</source>
-            <translation>La conception garde les images jusqu'à {largest} Mo.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Choose an image file</source>
-            <translation>Choisir un fichier d'image</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>Target irradiance as its viewer sees it</source>
             <translation>Éclairement cible tel que l'observateur le voit</translation>
         </message>
@@ -3237,11 +3222,6 @@
             <location filename="../../ui/panels/images.py" />
             <source>image</source>
             <translation>image</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Images</source>
-            <translation>Images</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3335,13 +3315,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
-            <source>region</source>
-            <translation>région</translation>
+            <source>Regions</source>
+            <translation>Régions</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
-            <source>Regions</source>
-            <translation>Régions</translation>
+            <source>region</source>
+            <translation>région</translation>
         </message>
         <message>
             <location filename="../../ui/panels/regions.py" />
@@ -3394,9 +3374,14 @@
             <translation>Sous la forme x, y; x, y; …</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Parameters</source>
-            <translation>Paramètres</translation>
+            <location filename="../../ui/panels/rows.py" />
+            <source>The design keeps files of up to {largest} MB.</source>
+            <translation>La conception garde les fichiers jusqu'à {largest} Mo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/rows.py" />
+            <source>Choose a file</source>
+            <translation>Choisir un fichier</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3405,8 +3390,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Stages</source>
-            <translation>Étapes</translation>
+            <source>Parameters</source>
+            <translation>Paramètres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>1 iteration</source>
+            <translation>1 itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>{count} iterations</source>
+            <translation>{count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>As the scene</source>
+            <translation>Comme la scène</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3415,13 +3415,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>stage</source>
-            <translation>étape</translation>
+            <source>Stages</source>
+            <translation>Étapes</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Stages of the run</source>
-            <translation>Étapes de l'exécution</translation>
+            <source>stage</source>
+            <translation>étape</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3450,13 +3450,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>Then the scene itself: {iterations}.</source>
-            <translation>Puis la scène elle-même : {iterations}.</translation>
+            <source>None: the run has only the scene itself.</source>
+            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Puis la scène elle-même : {iterations}.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3467,21 +3467,6 @@
             <location filename="../../ui/panels/run.py" />
             <source>{kind} filter</source>
             <translation>filtre : {kind}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>1 iteration</source>
-            <translation>1 itération</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{count} iterations</source>
-            <translation>{count} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>As the scene</source>
-            <translation>Comme la scène</translation>
         </message>
         <message>
             <location filename="../../ui/panels/run.py" />
@@ -3507,16 +3492,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>change of file of light</source>
             <translation>changement de fichier de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>The design keeps files of up to {largest} MB.</source>
-            <translation>La conception garde les fichiers jusqu'à {largest} Mo.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Choose a file of light</source>
-            <translation>Choisir un fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/run/check.py" />
@@ -5761,6 +5736,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Elements</source>
+            <translation>Éléments</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Lenses, mirrors and diffusers in the order in which light meets them. Light that passes one by is lost there.</source>
             <translation>Lentilles, miroirs et diffuseurs dans l'ordre où la lumière les rencontre. La lumière qui en manque un y est perdue.</translation>
         </message>
@@ -6163,6 +6143,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Part of the light that goes on behind the diffuser, at all angles of incidence. It absorbs the rest, or reflects it.</source>
             <translation>Part de la lumière qui continue derrière le diffuseur, à tous les angles d'incidence. Il absorbe ou réfléchit le reste.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Images</source>
+            <translation>Images</translation>
         </message>
         <message>
             <location filename="../../workbench" />
