@@ -23,7 +23,7 @@ from workbench.optics.light import Light
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import device_of
 from workbench.optics.samples import Corners
-from workbench.scene import GaussianScatter, Scene, Screen, WantedImage
+from workbench.scene import Scene, Screen, WantedImage
 
 # Rays that tell the directions of light at a receiver, and the degree of polynomials through them.
 _RAYS, _DEGREE = (48, 48), 3
@@ -85,8 +85,8 @@ def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Direc
     None where no polynomials are needed, or too few rays come to the plane.
     """
     diffuser, screen = scene.diffuser, scene.receiver
-    gaussian = diffuser is not None and isinstance(diffuser.scatter, GaussianScatter)
-    if not gaussian or not isinstance(screen, Screen):
+    about_ray = diffuser is not None and diffuser.scatter.about_ray
+    if not about_ray or not isinstance(screen, Screen):
         return None
     found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
     paths = ray_paths(scene, found, _RAYS)

@@ -4,27 +4,49 @@ With the unit vectors d of a ray, w from its place on the diffuser to a place on
 distance r, n across the diffuser and m across the receiver, and θ the angle between w and d, the
 irradiance of a flux of 1 is
 
-I(w) |m · w| / r²,  with I = exp(−θ²/2σ²) / N, or I = n · w / π of a Lambertian diffuser.
+I(w) |m · w| / r²,  with I = f(θ) / N, f(θ) = exp(−θ²/2σ²) of a Gaussian diffuser.
 
-N is the integral over all directions onwards, n · w > 0: flux is conserved. In the far field, light
-per solid angle is I itself.
+N is the integral over all directions onwards, n · w > 0: flux is conserved. Of light that is
+scattered about the normal, θ is the angle between w and n: f(θ) = cos θ of a Lambertian diffuser.
+In the far field, light per solid angle is I itself. A new law is a row in ``_LAWS``.
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene import AnyReceiver, Diffuser, GaussianScatter, Screen
+from workbench.scene import AnyReceiver, Diffuser, GaussianScatter, LambertianScatter, Screen
 
-# Light at more times sigma is left out: 4e-5 of all.
-_REACH = 4.5
+# Light at more times sigma is left out: 4e-5 of all; the integral N goes so many times as far.
+_REACH, _BEYOND = 4.5, 8 / 3
 # Samples within the width of a kernel, and most of them in a pixel along an axis: a kernel that is
 # narrower than ten of these is off by 1e-3.
 _SAMPLES, _FINEST = 3.0, 32
 _SMALL = 1e-4  # radians
 _FAR = 1.0  # any length
+
+
+class _Law(NamedTuple):
+    """A law of scatter by the angle θ to the ray, or to the normal."""
+
+    intensity: Callable[[Any, Array], Array]  # by θ, in any unit
+    # Standard deviation of θ along each axis, and beyond which θ light is left out, radians; used
+    # of light that is scattered about the ray.
+    width: Callable[[Any], float]
+    reach: Callable[[Any], float]
+
+
+_LAWS: Mapping[type, _Law] = {
+    GaussianScatter: _Law(
+        lambda scatter, angle: np.exp(-np.square(angle / math.radians(scatter.sigma)) / 2),
+        lambda scatter: math.radians(scatter.sigma),
+        lambda scatter: _REACH * math.radians(scatter.sigma),
+    ),
+    LambertianScatter: _Law(lambda _, angle: np.cos(angle), lambda _: math.inf, lambda _: math.inf),
+}
 
 
 class ScatteredRays(NamedTuple):
@@ -37,7 +59,7 @@ class ScatteredRays(NamedTuple):
     # (k,), their places on the receiver.
     u: Array
     v: Array
-    # (k, 3), their directions; straight across the diffuser for places on a Lambertian one.
+    # (k, 3), their directions; straight across a diffuser that scatters about its normal.
     ways: Array
 
     def kernels(self) -> Array:
@@ -62,11 +84,14 @@ class ScatteredRays(NamedTuple):
         return flux
 
     def widths(self) -> tuple[float, float]:
-        """Standard deviations along x and y, or the distance of a Lambertian diffuser, pixels."""
+        """Standard deviations along x and y in pixels.
+
+        Of light that is scattered about the normal, the distance of the diffuser.
+        """
         scatter, (side_x, side_y) = self.diffuser.scatter, self._pixel_sides
-        if isinstance(scatter, GaussianScatter):
+        if scatter.about_ray:
             x, y = self._moved(_SMALL)
-            by = math.radians(scatter.sigma) / _SMALL
+            by = self._law.width(scatter) / _SMALL
             return by * x / side_x, by * y / side_y
         away = float(np.linalg.norm(across(self.diffuser, self.receiver)))
         return away / side_x, away / side_y
@@ -77,11 +102,15 @@ class ScatteredRays(NamedTuple):
         x, y = (2 * r / n for r, n in zip(half, pixels, strict=True))
         return x, y
 
+    @property
+    def _law(self) -> _Law:
+        return _LAWS[type(self.diffuser.scatter)]
+
     def _reach(self) -> tuple[float, float]:
         scatter = self.diffuser.scatter
-        if isinstance(scatter, GaussianScatter):
-            return self._moved(_REACH * math.radians(scatter.sigma))
-        return math.inf, math.inf
+        if not scatter.about_ray:
+            return math.inf, math.inf
+        return self._moved(self._law.reach(scatter))
 
     def _moved(self, angle: float) -> tuple[float, float]:
         """How far along u and v rays move at most that are turned; infinite if they leave."""
@@ -99,16 +128,28 @@ class ScatteredRays(NamedTuple):
         scatter, normal = self.diffuser.scatter, self._normal
         u, v = (each[:, None, None] for each in (self.u, self.v))
         to, solid_angle = self._towards(u + right, v + up[:, None])
-        cosine = to @ normal
-        if isinstance(scatter, GaussianScatter):
-            sigma, ways = math.radians(scatter.sigma), self.ways[:, None, None]
-            chord = np.linalg.norm(to - ways, axis=-1)
-            angle = 2 * np.arcsin((chord / 2).clip(max=1))
-            integral = _integral(sigma, self.ways @ normal)[:, None, None]
-            light = np.exp(-np.square(angle / sigma) / 2) / integral
-        else:
-            light = cosine / math.pi
-        return np.asarray(np.where(cosine > 0, light * solid_angle, 0.0))
+        axes = self.ways if scatter.about_ray else np.broadcast_to(normal, self.ways.shape)
+        chord = np.linalg.norm(to - axes[:, None, None], axis=-1)
+        angle = 2 * np.arcsin((chord / 2).clip(max=1))
+        light = self._law.intensity(scatter, angle) / self._integral(axes @ normal)[:, None, None]
+        return np.asarray(np.where(to @ normal > 0, light * solid_angle, 0.0))
+
+    def _integral(self, cosine: Array) -> Array:
+        """Integral of the law about axes at an angle to the normal, over directions onwards.
+
+        On the circle at θ, the part of the azimuths φ with cos θ cos i + sin θ sin i cos φ > 0
+        counts.
+        """
+        scatter = self.diffuser.scatter
+        nodes, weights = np.polynomial.legendre.leggauss(200)
+        widest = math.pi if scatter.about_ray else math.pi / 2
+        most = min(widest, _BEYOND * self._law.reach(scatter))
+        theta, weights = most * (nodes + 1) / 2, most * weights / 2
+        sine = np.sqrt((1 - np.square(cosine)).clip(min=1e-300))
+        edge = (-cosine / sine)[:, None] / np.tan(theta)
+        onwards = np.arccos(edge.clip(-1, 1)) / math.pi
+        rings = 2 * math.pi * np.sin(theta) * self._law.intensity(scatter, theta) * weights
+        return np.asarray(onwards @ rings)
 
     @property
     def _normal(self) -> Array:
@@ -176,21 +217,6 @@ def _sides(ways: Array) -> tuple[Array, Array]:
     one = np.cross(ways, least)
     one /= np.linalg.norm(one, axis=1, keepdims=True)
     return one, np.cross(ways, one)
-
-
-def _integral(sigma: float, cosine: Array) -> Array:
-    """Integral of exp(−θ²/2σ²) about rays at an angle to the normal, over directions onwards.
-
-    On the circle at θ, the part of the azimuths φ with cos θ cos i + sin θ sin i cos φ > 0 counts.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(200)
-    most = min(math.pi, 12 * sigma)
-    theta, weights = most * (nodes + 1) / 2, most * weights / 2
-    sine = np.sqrt((1 - np.square(cosine)).clip(min=1e-300))
-    edge = (-cosine / sine)[:, None] / np.tan(theta)
-    onwards = np.arccos(edge.clip(-1, 1)) / math.pi
-    rings = 2 * math.pi * np.sin(theta) * np.exp(-np.square(theta / sigma) / 2) * weights
-    return np.asarray(onwards @ rings)
 
 
 def _between_pixels(values: Array, axis: int, finer: int) -> Array:

@@ -18,7 +18,7 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.extended.deblur import spread_light
 from workbench.extended.scatter_kernels import ScatteredRays, across, directions_in_far_field
-from workbench.scene import GaussianScatter, Scene, Screen
+from workbench.scene import Scene, Screen
 
 # Places along each axis that kernels are computed for, between which polynomials tell how they
 # change, and how far from the middle of the receiver these reach in its half-extents.
@@ -63,8 +63,8 @@ class Scattering:
         if diffuser is None:
             return None
         onwards = scene.onwards(receiver)
-        lambertian = not isinstance(diffuser.scatter, GaussianScatter)
-        count = 1 if lambertian else _PLACES
+        about_ray = diffuser.scatter.about_ray
+        count = _PLACES if about_ray else 1
         steps = np.cos(math.pi * (np.arange(count) + 0.5) / count)  # as of Chebyshev
         x, y = (each.ravel() for each in np.meshgrid(steps, steps))
         u, v = (
@@ -73,7 +73,7 @@ class Scattering:
                 receiver.middle, receiver.half_extent, (x, y), strict=True
             )
         )
-        if lambertian:
+        if not about_ray:
             straight = across(diffuser, receiver)
             ways = straight[None] / np.linalg.norm(straight)
         elif isinstance(receiver, Screen):
@@ -194,7 +194,7 @@ def film_scene(scene: Scene) -> Scene:
     Those of a Lambertian diffuser are right behind it, straight before where they are.
     """
     diffuser = scene.diffuser
-    if diffuser is None or isinstance(diffuser.scatter, GaussianScatter):
+    if diffuser is None or diffuser.scatter.about_ray:
         return scene
     images = []
     for image in scene.images:

@@ -1,6 +1,6 @@
 """Elements of one face: the mirror and the diffuser."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import ConfigDict, Field
 
@@ -161,10 +161,23 @@ _DIFFUSER_LOSSES = {
 }
 
 
-class GaussianScatter(Part):
+class AnyScatter(Part):
+    """A law of scatter.
+
+    A new law is a class here, a member of `Scatter`, and a row in the tables of
+    `workbench.extended.scatter_kernels` and `workbench.analysis.tracing.interfaces.scatter`.
+    """
+
+    about_ray: ClassVar[bool]
+    """Whether light is scattered about the direction in which it would go on; else about the
+    normal, wherever it comes from."""
+
+
+class GaussianScatter(AnyScatter):
     """Light is scattered about the direction in which it would go on."""
 
     model_config = ConfigDict(title="Gaussian")
+    about_ray = True
 
     kind: Literal["gaussian"]
     sigma: Annotated[
@@ -187,10 +200,11 @@ class GaussianScatter(Part):
         return {"sigma": _USUAL_SIGMA}
 
 
-class LambertianScatter(Part):
+class LambertianScatter(AnyScatter):
     """Light leaves with the same radiance in all directions, wherever it comes from."""
 
     model_config = ConfigDict(title="Lambertian")
+    about_ray = False
 
     kind: Literal["lambertian"]
 

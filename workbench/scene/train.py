@@ -15,7 +15,7 @@ from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene.element import Element
 from workbench.scene.lens import Lens
-from workbench.scene.mirror_diffuser import Diffuser, LambertianScatter, Mirror
+from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.receivers import Screen
 from workbench.scene.source import MOST_LINES, mean_wavelength
@@ -195,7 +195,7 @@ def _check_diffuser(scene: "Scene") -> None:
                 ),
             )
     last = scene.elements[-1]
-    if not isinstance(last, Diffuser) or not isinstance(last.scatter, LambertianScatter):
+    if not isinstance(last, Diffuser) or last.scatter.about_ray:
         return
     across = last.turn[:, 2]
     for number, receiver in enumerate(scene.receivers):

@@ -1,13 +1,14 @@
-"""The boundary that scatters: a random direction for each ray."""
+"""The boundary that scatters: a random direction for each ray. A new law is a row in ``_LAWS``."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
 from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.arrays import Array
-from workbench.scene import Diffuser, GaussianScatter
+from workbench.scene import Diffuser, GaussianScatter, LambertianScatter
 
 
 class ScatterBoundary:
@@ -20,11 +21,7 @@ class ScatterBoundary:
     """
 
     def __init__(self, diffuser: Diffuser) -> None:
-        self._transmittance = diffuser.transmittance
-        scatter = diffuser.scatter
-        self._sigma = None
-        if isinstance(scatter, GaussianScatter):
-            self._sigma = math.radians(scatter.sigma)
+        self._transmittance, self._scatter = diffuser.transmittance, diffuser.scatter
 
     def turn(
         self, rays: TracedRays, crossings: Crossings
@@ -39,28 +36,40 @@ class ScatterBoundary:
         first = np.concatenate([rays.position[0], rays.direction[0]])
         random = np.random.default_rng(first.view(np.uint64).tolist())
         normal = np.broadcast_to(crossings.normal, crossings.position.shape)
-        if self._sigma is None:
-            square = random.random(len(flux))  # of the sine: flux is as the cosine
-            direction = _around(normal, np.sqrt(1 - square), np.sqrt(square), random)
-        else:
-            before = np.broadcast_to(rays.direction, crossings.position.shape)
-            direction = self._about(np.where(flux[:, None] > 0, before, normal), normal, random)
+        before = np.broadcast_to(rays.direction, crossings.position.shape)
+        before = np.where(flux[:, None] > 0, before, normal)
+        direction = _LAWS[type(self._scatter)](self._scatter, before, normal, random)
         return TracedRays(crossings.position, direction, flux), lost
 
-    def _about(self, before: Array, normal: Array, random: np.random.Generator) -> Array:
-        """Directions about those before, drawn again until they are onwards."""
-        assert self._sigma is not None
-        direction = np.empty_like(before)
-        left = np.arange(len(before))
-        while len(left):
-            # θ exp(−θ²/2σ²) by its inverse, of which sin θ / θ are kept: sin θ exp(−θ²/2σ²).
-            angle = self._sigma * np.sqrt(-2 * np.log1p(-random.random(len(left))))
-            kept = (angle < math.pi) & (random.random(len(left)) < np.sinc(angle / math.pi))
-            found = _around(before[left], np.cos(angle), np.sin(angle), random)
-            kept &= np.einsum("ij,ij->i", found, normal[left]) > 0
-            direction[left[kept]] = found[kept]
-            left = left[~kept]
-        return direction
+
+def _gaussian(
+    scatter: GaussianScatter, before: Array, normal: Array, random: np.random.Generator
+) -> Array:
+    """Directions about those before, drawn again until they are onwards."""
+    sigma, direction = math.radians(scatter.sigma), np.empty_like(before)
+    left = np.arange(len(before))
+    while len(left):
+        # θ exp(−θ²/2σ²) by its inverse, of which sin θ / θ are kept: sin θ exp(−θ²/2σ²).
+        angle = sigma * np.sqrt(-2 * np.log1p(-random.random(len(left))))
+        kept = (angle < math.pi) & (random.random(len(left)) < np.sinc(angle / math.pi))
+        found = _around(before[left], np.cos(angle), np.sin(angle), random)
+        kept &= np.einsum("ij,ij->i", found, normal[left]) > 0
+        direction[left[kept]] = found[kept]
+        left = left[~kept]
+    return direction
+
+
+def _lambertian(
+    scatter: LambertianScatter, before: Array, normal: Array, random: np.random.Generator
+) -> Array:
+    square = random.random(len(before))  # of the sine: flux is as the cosine
+    return _around(normal, np.sqrt(1 - square), np.sqrt(square), random)
+
+
+_LAWS: Mapping[type, Callable[[Any, Array, Array, np.random.Generator], Array]] = {
+    GaussianScatter: _gaussian,
+    LambertianScatter: _lambertian,
+}
 
 
 def _around(axis: Array, cosine: Array, sine: Array, random: np.random.Generator) -> Array:
