@@ -40,7 +40,15 @@ class ReceiverNumbers(NamedTuple):
 
 
 class Receiver(Protocol):
-    """Says in which pixels rays land."""
+    """Says in which pixels rays land.
+
+    Attributes
+    ----------
+    compiled : bool
+        Whether compiled kernels know it, by its `numbers`; else light lands by `places` alone.
+    """
+
+    compiled: bool
 
     @property
     def part(self) -> AnyReceiver:
@@ -75,6 +83,8 @@ class PlaneReceiver:
     path counts z; `onwards`: 1 for light that comes along the screen's own +z, -1 for light that
     comes against it.
     """
+
+    compiled = True
 
     def __init__(self, screen: Screen, datum: float, onwards: int = 1) -> None:
         self.part = screen
@@ -152,6 +162,7 @@ class FarFieldReceiver:
     """
 
     upright = False
+    compiled = True
 
     def __init__(self, far_field: FarField, distance: float, onwards: int = 1) -> None:
         self.part, self._distance, self._onwards = far_field, distance, onwards

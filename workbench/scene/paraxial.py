@@ -17,10 +17,8 @@ from workbench.scene.lens import Lens
 from workbench.scene.mirror_diffuser import Mirror
 from workbench.scene.points import PointSource
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.receivers import FarField, Screen
 from workbench.scene.sources import CollimatedSource, Source
 from workbench.scene.train import outgoing
-from workbench.scene.turning import tilt_of
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -125,14 +123,13 @@ def _receiver_seen(scene: "Scene", receiver: AnyReceiver) -> AnyReceiver:
     """A receiver as the designed element sees it, in the coordinates of that."""
     optic, number, ways = scene.optic, scene.designed_number, scene.ways
     behind = list(zip(scene.elements, ways, strict=True))[number + 1 :]
-    if isinstance(receiver, FarField):
+    if receiver.stands_at is None:
         turn = np.diag([1.0, 1.0, float(scene.onwards(receiver))])
         folded = _traced_back(behind, _Seen(None, turn), scene.source.wavelength, rigid=True)
-        own = optic.turn.T @ folded.turn
-        same = np.array_equal(own, np.diag([1.0, 1.0, optic.onwards]))
-        return receiver if same else receiver.standing(own)
-    assert isinstance(receiver, Screen)
-    begin = _Seen(np.array(receiver.position), receiver.sides.T)
+        turn = optic.turn.T @ folded.turn
+        same = np.array_equal(turn, np.diag([1.0, 1.0, optic.onwards]))
+        return receiver if same else receiver.seen(None, turn, 1.0)
+    begin = _Seen(receiver.stands_at, receiver.sides.T)
     seen = _traced_back(behind, begin, scene.source.wavelength, rigid=False)
     place, ahead = seen.place, outgoing(optic, ways[number])
     if (
@@ -142,17 +139,11 @@ def _receiver_seen(scene: "Scene", receiver: AnyReceiver) -> AnyReceiver:
         or not 1 / _LARGEST < abs(seen.magnification) < _LARGEST
     ):
         seen = _traced_back(behind, begin, scene.source.wavelength, rigid=True)
-    assert seen.place is not None
-    turn, m = optic.turn.T @ seen.turn, abs(seen.magnification)
-    x, y, z = _exact(optic.seen(seen.place)).tolist()
-    r_x, r_y = receiver.half_width
-    tilt = receiver.tilt
+    own = None if seen.place is None else _exact(optic.seen(seen.place))
+    turn = optic.turn.T @ seen.turn
     if not np.array_equal(turn, receiver.sides.T):
-        turn = np.array([_exact(column) for column in turn.T]).T
-        turn[:, 2] = np.cross(turn[:, 0], turn[:, 1])  # its back may be to the light
-        tilt = tilt_of(turn)
-    changes = {"position": (x, y, z), "tilt": tilt, "half_width": (m * r_x, m * r_y)}
-    return receiver.model_copy(update=changes).lit_on_either_side()
+        turn = np.column_stack([_exact(column) for column in turn.T])
+    return receiver.seen(own, turn, abs(seen.magnification))
 
 
 def _traced_back(

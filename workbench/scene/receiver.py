@@ -60,14 +60,38 @@ class AnyReceiver(Part):
     def turn(self) -> Array | None:
         """Unit vectors (3, 3) of the coordinates in which it is described, as columns.
 
-        None for those of the scene, as in every file; see `FarField.standing`.
+        None for those of the scene, as in every file; see `FarField.seen`.
         """
         return None
 
     @property
+    @abstractmethod
+    def stands_at(self) -> Array | None:
+        """Where its middle stands in the scene, shape (3,); None of one at no distance."""
+
+    @property
+    def sides(self) -> Array:
+        """Unit vectors along its x and y, and its own +z, in the scene, as rows (3, 3)."""
+        return np.eye(3)
+
+    @property
     def across(self) -> Array:
         """The unit vector (3,) of its own +z in the scene."""
-        return np.array([0.0, 0.0, 1.0])
+        return np.asarray(self.sides[2])
+
+    @property
+    def upright(self) -> bool:
+        """Whether its rows and columns are those of the scene."""
+        return True
+
+    @abstractmethod
+    def seen(self, place: Array | None, turn: Array, magnification: float) -> Self:
+        """Return the same receiver in other coordinates, or an image of it.
+
+        `place` (3,): where its middle is there; None as in `stands_at`; `turn` (3, 3): its unit
+        vectors there as columns, of one at no distance the last of them goes with the light;
+        `magnification`: how many times as large it is.
+        """
 
     @property
     @abstractmethod

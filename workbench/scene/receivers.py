@@ -15,7 +15,7 @@ from workbench.scene.element import Element, Place, Tilt
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
 from workbench.scene.part import Kinds, Positive
 from workbench.scene.receiver import AnyReceiver, Pixels
-from workbench.scene.turning import tilted
+from workbench.scene.turning import tilt_of, tilted
 
 if TYPE_CHECKING:
     from workbench.scene.element import Element
@@ -70,12 +70,6 @@ class Screen(AnyReceiver):
     pixels: Pixels
     _either_side: bool = PrivateAttr(default=False)
 
-    def lit_on_either_side(self) -> Self:
-        """Return the same, lit from behind too: as the image of a screen in a mirror may be."""
-        copy = self.model_copy()
-        copy._either_side = True
-        return copy
-
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Some widths of the lens away from it, as wide as the receiver that is there looks."""
@@ -87,9 +81,22 @@ class Screen(AnyReceiver):
         return {"position": (0.0, 0.0, z), "half_width": half, "pixels": receiver.pixels}
 
     @property
-    def across(self) -> Array:
-        """See `AnyReceiver.across`."""
-        return np.asarray(self.sides[2])
+    def stands_at(self) -> Array:
+        """Its position."""
+        return np.array(self.position)
+
+    def seen(self, place: Array | None, turn: Array, magnification: float) -> Self:
+        """See `AnyReceiver.seen`; light may come from behind, as to an image in a mirror."""
+        x, y, z = self.position if place is None else place.tolist()
+        tilt = self.tilt
+        if not np.array_equal(turn, self.sides.T):
+            turn = np.column_stack([turn[:, :2], np.cross(turn[:, 0], turn[:, 1])])
+            tilt = tilt_of(turn)
+        r_x, r_y = (magnification * r for r in self.half_width)
+        changes = {"position": (x, y, z), "tilt": tilt, "half_width": (r_x, r_y)}
+        copy = self.model_copy(update=changes)
+        copy._either_side = True
+        return copy
 
     @property
     def half_extent(self) -> tuple[float, float]:
@@ -303,11 +310,12 @@ class FarField(AnyReceiver):
         """See `AnyReceiver.turn`."""
         return None if self._turn is None else np.array(self._turn)
 
-    def standing(self, turn: Array) -> Self:
-        """Return the same directions in other coordinates.
+    @property
+    def stands_at(self) -> None:
+        """Nowhere."""
 
-        `turn` (3, 3): its unit vectors there as columns, the last of which goes with the light.
-        """
+    def seen(self, place: Array | None, turn: Array, magnification: float) -> Self:
+        """See `AnyReceiver.seen`."""
         copy = self.model_copy()
         copy._turn = tuple(map(tuple, turn.tolist()))
         return copy

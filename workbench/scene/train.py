@@ -51,8 +51,8 @@ def outgoing(element: Element, way: Array) -> Array:
 def leaving(source: "Source", elements: Sequence[Element], receiver: AnyReceiver) -> Array:
     """Return a vector (3,) along which light of a train comes to the middle of a receiver."""
     last = elements[-1]
-    if isinstance(receiver, Screen):
-        return receiver.position - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))
+    if receiver.stands_at is not None:
+        return receiver.stands_at - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))
     return outgoing(last, incoming(source, elements)[-1])
 
 
@@ -98,7 +98,8 @@ def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
     """
     last = scene.elements[-1].lit(scene.source.wavelength)
     for receiver in receivers:
-        if not isinstance(receiver, Screen):
+        place = receiver.stands_at
+        if place is None:
             way = leaving(scene.source, scene.elements, receiver)
             angle = math.degrees(math.acos(min(abs(float(way[2])), 1.0)))
             if angle > _SIDEWAYS:
@@ -113,13 +114,13 @@ def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
                     ),
                 )
         elif not last.designed:
-            _check_beyond(last, outgoing(last, scene.ways[-1]), receiver)
+            _check_beyond(last, outgoing(last, scene.ways[-1]), receiver, place)
 
 
-def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
-    """Refuse a screen whose plane does not have all of the last element before it."""
-    ahead = (receiver.position - last.corners) @ receiver.across
-    reach = (receiver.position - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))) @ onwards
+def _check_beyond(last: Element, onwards: Array, receiver: AnyReceiver, place: Array) -> None:
+    """Refuse a receiver, with its middle at a place, that has not all of an element before it."""
+    ahead = (place - last.corners) @ receiver.across
+    reach = (place - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))) @ onwards
     if reach > 0 and (ahead.min() > 0 or ahead.max() < 0):
         return
     if receiver.upright and last.upright and onwards[2] > 0:
@@ -127,9 +128,9 @@ def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
             "images",
             Message(
                 "a receiver at z = {z:g} may touch the element {name}; more than {least:g}",
-                z=receiver.z,
+                z=float(place[2]),
                 name=last.name,
-                least=receiver.z - float(ahead.min()),
+                least=float(place[2] - ahead.min()),
             ),
         )
     raise Refused(
@@ -137,7 +138,7 @@ def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
         Message(
             "a receiver at {place} may touch the element {name}, or gets none of its light; "
             "farther along the light, and across it",
-            place="[{}]".format(", ".join(f"{each:g}" for each in receiver.position)),
+            place="[{}]".format(", ".join(f"{each:g}" for each in place)),
             name=last.name,
         ),
     )

@@ -82,7 +82,7 @@ class CompiledTrain:
             for step in path.shaped
         )
         turn = all(isinstance(step.interface, Refraction | Reflection) for step in path.shaped)
-        return is_known(path) and known and turn
+        return is_known(path) and known and turn and path.receiver.compiled
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool] = (False, False)) -> None:
         self._path, self._entry = path, entry_of(path, mirrored)
