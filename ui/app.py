@@ -115,7 +115,6 @@ def _application() -> "QApplication":
 
 
 def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None:
-    """Run slow work after the first painting of the window."""
     from PySide6.QtCore import Qt, QTimer
 
     def after_paint() -> None:

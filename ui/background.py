@@ -55,7 +55,6 @@ class Task:
 
     @property
     def stopped(self) -> bool:
-        """Whether the work should end soon."""
         return self._stopped.is_set()
 
     def stop(self) -> None:
@@ -162,7 +161,6 @@ class Background(QObject):
             self._task.wanted = False
 
     def finish(self) -> None:
-        """Wait for all work and emit its results."""
         while self._task is not None:
             self._end(self._task)
 

@@ -100,7 +100,6 @@ class Windows(QObject):
         return window
 
     def active(self) -> MainWindow | None:
-        """The active window, or the latest one."""
         active = QApplication.activeWindow()
         if isinstance(active, MainWindow) and active in self._recoveries:
             return active
@@ -154,7 +153,6 @@ class Windows(QObject):
         self._warm_up.wait()
 
     def tell_unexpected_error(self, sentence: str, details: str) -> None:
-        """Show an error in the active window, and log it."""
         window = self.active()
         if window is not None:
             copy = partial(QGuiApplication.clipboard().setText, details)
@@ -162,13 +160,11 @@ class Windows(QObject):
             window.log.add_details(details)
 
     def log(self, sentence: str) -> None:
-        """Write a line into the log of the active window."""
         window = self.active()
         if window is not None:
             window.log.add(sentence)
 
     def log_details(self, text: str) -> None:
-        """Write the traceback of an error into the log of the active window."""
         window = self.active()
         if window is not None:
             window.log.add_details(text)

@@ -13,7 +13,7 @@ import ui
 from ui.commands.choices import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.dialogs.start_page import StartPage
-from ui.widgets.plot_words import translate, translate_axes
+from ui.widgets.figures import translate, translate_axes
 from ui.words import error_text, set_language, system_language, tr
 from workbench.errors import Refused
 from workbench.jobs import JOBS

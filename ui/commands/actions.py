@@ -169,7 +169,6 @@ class Commands:
         return COMMANDS[name].in_words(self._called)
 
     def name_optic(self, called: str) -> None:
-        """Set the name of the element in the words of commands."""
         if called == self._called:
             return
         self._called = called
@@ -186,7 +185,6 @@ class Commands:
         self._open(slots.keys())
 
     def connect_toggles(self, slots: Mapping[str, Callable[[bool], object]]) -> None:
-        """Connect checkable commands to functions of their state."""
         for name, slot in slots.items():
             self[name].toggled.connect(slot)
         self._open(slots.keys())
@@ -214,12 +212,10 @@ class Commands:
             self[name].setText(text)
 
     def entries(self) -> list[tuple[str, QAction]]:
-        """Return all actions of the menus with their full names."""
         bar = self._window.menuBar()
         return [entry for action in bar.actions() for entry in _entries(action, "")]
 
     def colour_icons(self) -> None:
-        """Draw the icons in the palette's present colours."""
         for name, command in COMMANDS.items():
             if command.icon:
                 self[name].setIcon(theme.icon(command.icon, self._window.palette()))

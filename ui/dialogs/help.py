@@ -204,7 +204,6 @@ class Help(QObject):
             )
 
     def begin_tour(self) -> None:
-        """Begin the tour, unless it is running."""
         if self._tour is None:
             self._messages.clear()
             self._tour = Tour(self._window, self._place, self._panes.show, self._hide)

@@ -111,5 +111,4 @@ class JobForm(QScrollArea):
         self.job = self.job.with_answers(data)
 
     def show_job(self) -> None:
-        """Show the job, and refused entries as typed."""
         self._entries.show()

@@ -123,7 +123,6 @@ class Outlook(QWidget):
         self._state.say(f"\N{WARNING SIGN} {why}")
 
     def show_target(self, session: "Session") -> None:
-        """Show the target, and the side from which it is seen."""
         scene = self._scene = session.scene
         half_u, half_v = scene.receiver.half_extent
         self._aspect = half_u / half_v

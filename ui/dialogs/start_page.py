@@ -195,7 +195,6 @@ class Start(QObject):
         self.page: StartPage | None = None
 
     def show(self) -> None:
-        """Show the page, unless it is there."""
         if self.page is not None:
             return
         self.page = page = StartPage(self._dialogs, self._window)
@@ -207,7 +206,6 @@ class Start(QObject):
         page.open()
 
     def close(self) -> None:
-        """Close the page, if it is there."""
         if self.page is not None:
             self.page.reject()
 

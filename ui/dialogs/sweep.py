@@ -5,18 +5,14 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
     QDialogButtonBox,
     QFileDialog,
     QHBoxLayout,
-    QHeaderView,
     QLineEdit,
-    QSplitter,
-    QTableWidget,
-    QTableWidgetItem,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -27,6 +23,7 @@ from ui.dialogs.sweep_form import SweepCurve, SweepForm
 from ui.document.document import Document
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
+from ui.widgets.tables import Table, side_by_side
 from ui.words import error_text, later, tr
 from workbench.design.session import verified_error
 from workbench.errors import Refused
@@ -91,7 +88,9 @@ class SweepDialog(QDialog):
         self.form.lines.addRow(tr("Folder"), self._folder_line())
         self.status = WrappedLabel()
         self.status.setAccessibleName(tr("Progress of the sweep"))
-        self.table, self.curve = _table(), SweepCurve(self)
+        self.table, self.curve = Table(tr("Designs of the sweep")), SweepCurve(self)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.table.horizontalHeader().setStretchLastSection(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         action = QDialogButtonBox.ButtonRole.ActionRole
         self.begin, self.look = (
@@ -104,7 +103,7 @@ class SweepDialog(QDialog):
             WrappedLabel(tr(_ABOUT)),
             self.form,
             self.status,
-            (self._results(), 1),
+            (side_by_side((self.table, self.curve), _SHARES, _SIZE.width()), 1),
             buttons,
         )
         self.resize(_SIZE.boundedTo(window.size()))
@@ -130,13 +129,7 @@ class SweepDialog(QDialog):
         self.raise_()
         self.activateWindow()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self.curve.recolour()
-
     def toggle(self) -> None:
-        """Start the sweep, or stop it."""
         if self._background.busy:
             self._background.stop()
             self._offer()
@@ -165,16 +158,6 @@ class SweepDialog(QDialog):
         """Stop the sweep and wait for its thread; safe to call twice."""
         self._background.close()
 
-    def _results(self) -> QSplitter:
-        parts = QSplitter(Qt.Orientation.Horizontal)
-        parts.setChildrenCollapsible(False)
-        parts.addWidget(self.table)
-        parts.addWidget(self.curve)
-        for number, share in enumerate(_SHARES):
-            parts.setStretchFactor(number, share)
-        parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
-        return parts
-
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
         self.folder.setPlaceholderText(tr("Chosen at the start"))
@@ -200,7 +183,7 @@ class SweepDialog(QDialog):
         self.table.setHorizontalHeaderLabels([*titles, *map(tr, _FIGURES)])
         self.table.setRowCount(len(points))
         for number, point in enumerate(points):
-            self._fill(number, [*map(shown, point.changes.values()), "…"])
+            self.table.put(number, [*map(shown, point.changes.values()), "…"])
 
     def _take(self, sweep: Sweep, found: "tuple[int, PointRow]") -> None:
         number, row = found
@@ -209,21 +192,15 @@ class SweepDialog(QDialog):
         if row.reason is not None:
             refused = sweep.points[number].scene
             why = error_text(refused) if isinstance(refused, Refused) else tr(row.reason)
-            self._fill(number, [*values, why])
+            self.table.put(number, [*values, why])
             self.table.setSpan(number, len(values), 1, len(_FIGURES))
         else:
             figures = row.figures
             light, seconds = f"{figures['efficiency']:.1%}", f"{figures['seconds']:.1f}"
             error, steps = verified_error(row.verified), f"{figures['iterations']:.0f}"
-            self._fill(number, [*values, error, light.replace("%", " %"), steps, seconds])
+            self.table.put(number, [*values, error, light.replace("%", " %"), steps, seconds])
         self.curve.show_rows(self.form.titles(), self._rows)
         self._offer()
-
-    def _fill(self, number: int, texts: list[str]) -> None:
-        for column, text in enumerate(texts):
-            item = QTableWidgetItem(text)
-            item.setToolTip(text)
-            self.table.setItem(number, column, item)
 
     def _give_up(self, sentence: str) -> None:
         self._offer()
@@ -250,18 +227,3 @@ class SweepDialog(QDialog):
                 count=len(self._rows), wanted=len(self._sweep.points)
             )
             self.status.setText(f"{done}…" if busy else f"{done}, {self._sweep.folder}")
-
-
-def _table() -> QTableWidget:
-    table = QTableWidget(0, 0)
-    table.setAccessibleName(tr("Designs of the sweep"))
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setAlternatingRowColors(True)
-    table.verticalHeader().hide()
-    header = table.horizontalHeader()
-    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    header.setStretchLastSection(True)
-    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-    return table

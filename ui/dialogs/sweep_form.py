@@ -4,15 +4,13 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
 from ui.widgets.controls import filled
-from ui.widgets.plot_words import translate
+from ui.widgets.figures import FigureCanvas, translate
 from ui.words import field_title, later, tr
-from workbench.pictures.axes import paint
 from workbench.pictures.error_curves import Curve, draw_sweep
 from workbench.report.scene_rows import FieldRow, field_rows
 
@@ -77,7 +75,6 @@ class SweepForm(QWidget):
         return [field.currentText() for field in self.fields if field.currentData()]
 
     def _show_present(self) -> None:
-        """Show the present values of the selected fields as placeholders."""
         for field, values in zip(self.fields, self.values, strict=True):
             row = self._rows.get(field.currentData() or "")
             values.setEnabled(row is not None)
@@ -88,20 +85,15 @@ class SweepForm(QWidget):
 _EVERY_MS = 50  # lenses that are there already come by the thousand
 
 
-class SweepCurve(FigureCanvasQTAgg):
+class SweepCurve(FigureCanvas):
     """Plots errors of finished lenses, a curve for each value of a second field."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(Figure(layout="constrained"))
-        self._parent = parent  # its palette gives the colours: that of a canvas is white
-        self.setParent(parent)
-        self.setAccessibleName(tr("Verified error over the values"))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        super().__init__(parent, tr("Verified error over the values"), Figure(layout="constrained"))
         self._titles: Sequence[str] = ()
         self._rows: Mapping[int, PointRow] = {}
         self._soon = QTimer(self, singleShot=True, interval=_EVERY_MS)
         self._soon.timeout.connect(self._draw_rows)
-        self.recolour()
 
     def show_rows(self, titles: Sequence[str], rows: "Mapping[int, PointRow]") -> None:
         """Plot the rows that have a lens, after a short delay."""
@@ -123,11 +115,6 @@ class SweepCurve(FigureCanvasQTAgg):
             draw_sweep(self.figure.subplots(), titles[0], drawn)
             translate(self.figure, (titles[0], *curves))
         self.recolour()
-
-    def recolour(self) -> None:
-        palette = self._parent.palette()
-        paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
-        self.draw_idle()
 
 
 def _first(row: "PointRow") -> str:

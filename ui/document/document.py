@@ -146,7 +146,6 @@ class Document(QObject):
         self.edited.emit(before, after)
 
     def set_result(self, result: Result, text: str) -> None:
-        """Set the result of a run as an undoable step."""
         self.change(replace(self._session, result=result), text)
 
     def change(self, session: Session, text: str, key: str = "") -> None:

@@ -139,7 +139,6 @@ class _Step(QUndoCommand):
         )
 
     def lead_to(self, after: Session) -> None:
-        """End at another session than before."""
         self.after = after
         self.cost = _cost(self.before, after)
 

@@ -52,7 +52,6 @@ class Brush:
         return tr("radius {radius}").format(radius=written(self.radius, self._view.unit, 2))
 
     def resize(self, steps: int) -> None:
-        """Make it larger, or smaller."""
         net = self._net
         if net is not None:
             self._part = resized(net, self.radius, steps) / max(net.half_width)

@@ -99,7 +99,6 @@ class CutFields(QWidget):
         return _cutting(self._data)
 
     def enter(self, name: str, value: object) -> None:
-        """Enter the value of a field."""
         self._entries.edit(Edit(name, name, {name: value}))
 
     def _enter(self, edits: list[Edit]) -> None:

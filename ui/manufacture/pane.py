@@ -72,7 +72,6 @@ class FaceMap(ImageView):
         self._turn(0)
 
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
-        """Show the maps of a frame, by face."""
         self._maps = maps
         self.faces.show_scene(frame.session.scene)
         self.show_frame(frame)

@@ -172,12 +172,10 @@ class TolerancePane(View):
         self._offer()
 
     def allow(self, resting: bool) -> None:
-        """Trace only while the shown lens is final."""
         super().allow(resting)
         self._offer()
 
     def toggle(self) -> None:
-        """Start the analysis, or stop it."""
         if self._background.busy:
             self._background.stop()
             self._offer()

@@ -119,7 +119,6 @@ class RowEntries(QObject):
         self.changed.emit()
 
     def forget(self) -> None:
-        """Drop refused edits."""
         self._entries.waiting.clear()
 
     def show(self) -> None:

@@ -61,7 +61,6 @@ class Row(QWidget):
         return self.field.between if self.field.count > 1 else ""
 
     def explain(self, tip: str) -> None:
-        """Set the tool tip."""
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
@@ -161,7 +160,6 @@ class NumberRow(Row):
             editor.reverted.connect(lambda p=place: self.reverted.emit(p))
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's numbers, short but exact."""
         super().show_scene(scene, pending)
         for path, editor in self.editors.items():
             if path not in pending:
@@ -193,7 +191,6 @@ class TextRow(Row):
         self.editor.reverted.connect(lambda: self.reverted.emit(path))
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the end of the text, the file name of a path."""
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.editor.show_value(self.text_of(value_at(scene, self.path)))

@@ -60,7 +60,6 @@ class TargetPanel(PartPanel):
         return {"image": file_rows}
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        """Show the target's settings and the image itself."""
         super().show_session(session, present, pending)
         r_u, r_v = session.scene.receiver.half_extent
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)

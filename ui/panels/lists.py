@@ -47,7 +47,6 @@ class ListedPanel(Panel, Generic[AnyPart]):
         self.list.chosen.connect(self._choose)
 
     def prepare(self, session: Session) -> None:
-        """Make rows for the selected part."""
         self._session = session
         self.list.show_parts(self.parts_of(session.scene), self.remark(session.scene))
         self._bind(self.list.current)
@@ -176,7 +175,6 @@ class PartList(Row):
         return True
 
     def show_parts(self, parts: tuple[Part, ...], remark: str) -> None:
-        """Show the parts, and below them a remark."""
         if parts != self._parts:
             with QSignalBlocker(self._list):
                 chosen = self._panel.chosen_among(self._parts, parts)

@@ -55,7 +55,6 @@ class Panel(QWidget):
         """Make the rows that a session needs."""
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        """Show the present rows, except refused edits."""
         self._session = session
         for row in self.rows:
             if row in present:
@@ -70,7 +69,6 @@ class Panel(QWidget):
         self._body.setVisible(unfolded)
 
     def align(self, width: int) -> None:
-        """Give all labels one width, to align the panels."""
         self._label_width = width
         for row in self.rows:
             row.label.setMinimumWidth(width)

@@ -80,7 +80,6 @@ class Rows:
     def fields_of(
         self, kinds: Sequence[type[Part]]
     ) -> list[tuple[FieldDescription, list[type[Part]]]]:
-        """Fields of all kinds in the order shown, and which kinds have them."""
         return _merged(kinds)
 
     def _of_field(self, field: FieldDescription, path: str) -> list[Row]:

@@ -94,7 +94,6 @@ class Check(QObject):
         self._rays = rays
 
     def toggle(self) -> None:
-        """Start the check of the shown lens, or cancel it."""
         if self._background.busy:
             self._forget()
         elif self._shown is None:

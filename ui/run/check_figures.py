@@ -5,11 +5,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
-    QTableWidget,
     QTableWidgetItem,
     QToolButton,
     QVBoxLayout,
@@ -19,6 +17,7 @@ from PySide6.QtWidgets import (
 from ui.run.check import RAYS, CheckedLens
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel, kept_together
+from ui.widgets.tables import Table
 from ui.words import in_sentence, later, tr
 from workbench.messages import Message
 
@@ -113,11 +112,14 @@ _OF_REGION = later(
 )
 
 
-class _NarrowTable(QTableWidget):
-    def __init__(self, rows: int, columns: int) -> None:
-        super().__init__(rows, columns)
+class _NarrowTable(Table):
+    def __init__(self) -> None:
+        super().__init__(tr("Figures of the check"), columns=2)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+        header.hide()
 
     def share_width(self) -> None:
         """Give names at most half of the width, and values the rest."""
@@ -140,21 +142,11 @@ class CheckFigures(QWidget):
         self._settings = settings
         self._hint = WrappedLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
-        self._table = _NarrowTable(0, 2)
+        self._table = _NarrowTable()
         self._table.hide()  # until there is something in it
-        self._table.setAccessibleName(tr("Figures of the check"))
-        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self._table.setAlternatingRowColors(True)
-        self._table.setShowGrid(False)
-        self._table.setFrameShape(QTableWidget.Shape.NoFrame)
-        self._table.horizontalHeader().hide()
-        self._table.verticalHeader().hide()
-        copy = QAction(tr("Copy"), self._table)
-        copy.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-        copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        copy.triggered.connect(self.copy)
-        self._table.addAction(copy)
+        self._table.add_action(tr("Copy"), QKeySequence.StandardKey.Copy).triggered.connect(
+            self.copy
+        )
         self._rays = QComboBox()
         self._rays.setAccessibleName(tr("Rays of a check"))
         self._rays.setToolTip(tr("Rays of a check; four times as many halve the noise"))
@@ -215,7 +207,6 @@ class CheckFigures(QWidget):
         self._hint.hide()
 
     def follow(self, figures: str) -> None:
-        """Show the state of the check, before `show_check` shows its figures."""
         before = tr(" Outdated figures: the design has changed.") if self._count else ""
         self._hint.setText(f"{figures[:1].upper()}{figures[1:]}{before}" or tr(_NOTHING))
         self._hint.show()

@@ -4,19 +4,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QComboBox,
     QDialog,
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QSplitter,
-    QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
     QWidget,
@@ -26,13 +22,13 @@ from ui.run.kept_runs import called
 from ui.run.status import clock
 from ui.shown.frame import image_titles
 from ui.widgets.controls import filled
+from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.native import rgb_image
-from ui.widgets.plot_words import translate
+from ui.widgets.tables import Table, side_by_side
 from ui.words import field_title, later, tr
 from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
 from workbench.extended.bound import percent
-from workbench.pictures.axes import paint
 from workbench.pictures.comparison import Comparison
 from workbench.pictures.images import full_scale, to_colours
 from workbench.powers import written
@@ -95,22 +91,19 @@ class RunComparison(QDialog):
         self._picture: Comparison | None = None
         self._readout = QLabel(tr(_POINT))
         self._readout.setAccessibleName(tr("Value under the pointer"))
-        self._figure = Figure()
-        self._canvas = FigureCanvasQTAgg(self._figure)
+        self._canvas = FigureCanvas(self, tr("Irradiance of both runs"), Figure())
         self._canvas.mpl_connect("motion_notify_event", self._read)
         self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(tr(_POINT)))
-        self.table = _table()
+        self.table = Table(tr("Figures of both runs"), columns=3)
+        lines, header = self.table.verticalHeader(), self.table.horizontalHeader()
+        lines.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        for number in (1, 2):
+            header.setSectionResizeMode(number, QHeaderView.ResizeMode.Stretch)
         pictures = QWidget()
         column = filled(QVBoxLayout(pictures), (self._canvas, 1), margins=0)
         below = filled(QHBoxLayout(), self._choice, (self._readout, 1))
         column.addLayout(below)
-        parts = QSplitter(Qt.Orientation.Horizontal)
-        parts.setChildrenCollapsible(False)
-        parts.addWidget(pictures)
-        parts.addWidget(self.table)
-        for number, share in enumerate(_SHARES):
-            parts.setStretchFactor(number, share)
-        parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
+        parts = side_by_side((pictures, self.table), _SHARES, _SIZE.width())
         filled(QHBoxLayout(self), parts, margins=(8, 8, 8, 8))
         self.resize(_SIZE.boundedTo(window.size()))
 
@@ -146,28 +139,18 @@ class RunComparison(QDialog):
         self._add_heading(tr(_DIFFER if apart else _SAME))
         self._add(apart)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._picture is not None:
-            self._recolour()
-
     def _show_image(self) -> None:
         assert self._pair is not None  # since there is a choice
         one, other = (replace(run, name=called(run)) for run in self._pair)
-        self._picture = Comparison(self._figure, (one, other), self._choice.currentIndex())
-        translate(self._figure, self._picture.titles)
-        self._recolour()
+        self._picture = Comparison(self._canvas.figure, (one, other), self._choice.currentIndex())
+        translate(self._canvas.figure, self._picture.titles)
+        self._canvas.recolour()
         self._readout.setText(tr(_POINT))
         self.show_figures()
 
     def _figures_of(self, run: KeptRun) -> list[tuple[str, str]]:
         number = min(self._choice.currentIndex(), len(run.scene.images) - 1)
         return figures_of(run.of_image(number), "" if number else self._verified(run))
-
-    def _recolour(self) -> None:
-        palette = self.palette()
-        paint(self._figure, palette.windowText().color().name(), palette.window().color().name())
-        self._canvas.draw_idle()
 
     def _read(self, event: Any) -> None:
         if self._picture is None or event.inaxes is None:
@@ -179,10 +162,7 @@ class RunComparison(QDialog):
         for name, values in rows:
             row = self.table.rowCount()
             self.table.insertRow(row)
-            for column, text in enumerate((name, *values)):
-                item = QTableWidgetItem(text)
-                item.setToolTip(text)
-                self.table.setItem(row, column, item)
+            self.table.put(row, (name, *values))
 
     def _add_heading(self, text: str) -> None:
         row = self.table.rowCount()
@@ -193,21 +173,3 @@ class RunComparison(QDialog):
         item.setFont(font)
         self.table.setItem(row, 0, item)
         self.table.setSpan(row, 0, 1, self.table.columnCount())
-
-
-def _table() -> QTableWidget:
-    table = QTableWidget(0, 3)
-    table.setAccessibleName(tr("Figures of both runs"))
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setAlternatingRowColors(True)
-    table.setShowGrid(False)
-    table.setFrameShape(QTableWidget.Shape.NoFrame)
-    lines = table.verticalHeader()
-    lines.hide()
-    lines.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    header = table.horizontalHeader()
-    header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-    for column in (1, 2):
-        header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
-    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-    return table

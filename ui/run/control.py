@@ -185,7 +185,6 @@ class RunControl(QObject):
         self._start(continue_run=True)
 
     def go_on_from(self, frame: "Frame") -> None:
-        """Continue from the lens of a frame."""
         self.history.branch(frame)
         self._document.set_result(
             frame.result, tr("return to iteration {number}").format(number=iterations_before(frame))

@@ -149,7 +149,6 @@ class BoundOfDesign(QObject):
         self._background.close()
 
     def follow(self, session: "Session") -> None:
-        """Compute the bound of another task."""
         from workbench.extended.bound import Bound  # late: takes long to import
 
         bound, last = Bound(session.scene, session.target), self._task

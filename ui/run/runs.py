@@ -57,7 +57,6 @@ class Runs(QObject):
         }
 
     def note_check(self, lens: CheckedLens, found: "Validation") -> None:
-        """Store the verified error of a kept run's lens."""
         if found.contradiction:
             return
         for run in self._document.session.runs:

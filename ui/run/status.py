@@ -34,7 +34,6 @@ class StatusLayout(QObject):
         bar.installEventFilter(self)
 
     def share(self) -> None:
-        """Share the bar among the texts, unless a message covers them."""
         if self._bar.currentMessage():
             return
         for figure, width in self._widths.items():
@@ -160,7 +159,6 @@ class RunStatus:
         self._read.start(_READ_MS)
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
-        """Show the figures of a lens; progress only while it is being designed."""
         snapshot = frame.snapshot
         done, all_of_it = snapshot.iteration, snapshot.iterations
         self._progress.setVisible(running)
@@ -191,21 +189,14 @@ class RunStatus:
         self._layout.share()
 
     def show_verified(self, figures: str) -> None:
-        self._verified.setText(figures)
-        self._verified.setVisible(bool(figures))
-        self._layout.share()
+        self._show(self._verified, figures)
 
     def show_check(self, figures: str) -> None:
-        self._check.setText(figures)
-        self._check.setVisible(bool(figures))
-        self._layout.share()
+        self._show(self._check, figures)
 
     def show_bound(self, figures: str, sentence: str) -> None:
-        """Show the lower bound, with a sentence as tip."""
-        self._bound.setText(figures)
         self._bound.setToolTip(f"<p>{sentence}</p>")
-        self._bound.setVisible(bool(figures))
-        self._layout.share()
+        self._show(self._bound, figures)
 
     def show_nothing(self) -> None:
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
@@ -213,7 +204,6 @@ class RunStatus:
         self._layout.share()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Grey the figures of another design."""
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._verified):
             figure.setEnabled(not outdated)
         self._outdated.setVisible(outdated)
@@ -222,6 +212,11 @@ class RunStatus:
     def settle(self) -> None:
         self._progress.hide()
         self._left.clear()
+        self._layout.share()
+
+    def _show(self, label: QLabel, figures: str) -> None:
+        label.setText(figures)
+        label.setVisible(bool(figures))
         self._layout.share()
 
     def _say(self, text: str) -> None:

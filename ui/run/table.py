@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QIcon, QKeySequence
+from PySide6.QtGui import QIcon, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QPushButton,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QTableWidget,
     QTableWidgetItem,
     QToolTip,
     QVBoxLayout,
@@ -24,6 +23,7 @@ from ui.run.comparison import figures_of, thumbnail_of
 from ui.run.kept_runs import called
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
+from ui.widgets.tables import Table
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
@@ -68,32 +68,25 @@ class RunTable(QWidget):
         self._pictures: dict[int, QIcon] = {}  # by the same
         self._hint = WrappedLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setMargin(self.fontMetrics().height())
-        self.table = QTableWidget(0, len(_COLUMNS))
-        self.table.setAccessibleName(tr("Kept runs"))
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setAlternatingRowColors(True)
+        self.table = Table(tr("Kept runs"), len(_COLUMNS))
+        self.table.setShowGrid(True)
         self.table.setIconSize(QSize(_PICTURE, _PICTURE))
         self.table.setWordWrap(False)
-        self.table.setFrameShape(QTableWidget.Shape.NoFrame)
         for column, (title, tip) in enumerate(_COLUMNS.items()):
             heading = QTableWidgetItem(tr(title))
             heading.setToolTip(f"<p>{tr(tip)}</p>")
             self.table.setHorizontalHeaderItem(column, heading)
         rows = self.table.verticalHeader()
-        rows.hide()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setDefaultSectionSize(max(_PICTURE, self.fontMetrics().height()) + _BETWEEN)
         header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
         header.setMaximumSectionSize(_WIDEST * self.fontMetrics().averageCharWidth())
         self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
         self.table.itemChanged.connect(self._take_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
-        delete = QAction(tr("Delete"), self.table)
-        delete.setShortcut(QKeySequence(QKeySequence.StandardKey.Delete))
-        delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        delete = self.table.add_action(tr("Delete"), QKeySequence.StandardKey.Delete)
         delete.triggered.connect(self.delete)
-        self.table.addAction(delete)
         self._restore = _button(
             tr("Restore"), tr("Restore task and result of this run"), self.restore
         )
@@ -126,7 +119,6 @@ class RunTable(QWidget):
         return tuple(self._runs[row] for row in sorted(rows))
 
     def show_runs(self, runs: Sequence[KeptRun], current: KeptRun | None) -> None:
-        """Show runs, the current one in bold."""
         stays = self.table.currentRow()
         self._runs = tuple(runs)
         there = {id(run.result) for run in runs}
@@ -150,7 +142,6 @@ class RunTable(QWidget):
                 item.setText(self._verified(run) or "–")
 
     def allow(self, editable: bool) -> None:
-        """Whether the design may be changed; comparing is always possible."""
         self._editable = editable
         triggers = QAbstractItemView.EditTrigger
         self.table.setEditTriggers(

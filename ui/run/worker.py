@@ -65,12 +65,10 @@ class Gate:
 
     @property
     def stopped(self) -> bool:
-        """Whether the run has to end."""
         return self._stopped
 
     @property
     def given_up(self) -> bool:
-        """Whether later frames of the run are unwanted."""
         return self._given_up
 
     def hold(self) -> None:

@@ -38,7 +38,6 @@ class Frame:
         return self.snapshot.state
 
     def of_image(self, number: int) -> "Frame":
-        """Return the frame of one image of the scene."""
         if len(self.session.scene.images) == 1:
             return self
         session = self.session.of_image(number)

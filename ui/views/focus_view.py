@@ -19,8 +19,8 @@ from ui.views.plot_view import PlotCanvas
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, View
 from ui.widgets.controls import filled
+from ui.widgets.figures import translate
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.plot_words import translate
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.arrays import Array

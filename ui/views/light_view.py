@@ -46,7 +46,6 @@ class LightView(View):
         self._box.addWidget(table)
 
     def texts(self) -> dict[str, str]:
-        """Texts of the table, by name."""
         lines = (*self._rows.values(), self._sum)
         return {line.name.text(): line.value.text() for line in lines if not line.value.isHidden()}
 

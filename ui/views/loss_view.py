@@ -56,7 +56,6 @@ class HistorySlider(QWidget):
         self.hide()
 
     def show_frames(self, frames: "Sequence[Frame]") -> None:
-        """Set the frames; the latest is the shown one."""
         self._frames = frames
         with QSignalBlocker(self._slider):
             self._slider.setMaximum(max(0, len(frames) - 1))
@@ -65,7 +64,6 @@ class HistorySlider(QWidget):
         self._tell()
 
     def allow(self, look: bool, go_on: bool) -> None:
-        """Allow or forbid going back, and continuing from there."""
         self._slider.setEnabled(look)
         self._button.setEnabled(go_on)
 

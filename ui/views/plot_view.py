@@ -36,8 +36,8 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 from ui.shown.frame import same_task
 from ui.views.shared_view import SharedView
 from ui.views.view import View, drawing_queue
+from ui.widgets.figures import translate, translate_axes
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.plot_words import translate, translate_axes
 from ui.words import later, tr
 from workbench.pictures.axes import Column, paint, shown_data
 
@@ -103,7 +103,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.recolour()
 
     def show_changes(self, everything: bool) -> None:
-        """Draw the artists over the background, or everything."""
         if everything or self._background is None:
             self.draw()
         else:
@@ -112,7 +111,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.repaint()
 
     def recolour(self) -> None:
-        """Set the colours of the palette, used in the next drawing."""
         palette = self.parentWidget().palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self._background = None
@@ -123,7 +121,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.update()
 
     def draw_now(self) -> None:
-        """Draw, unless it was already drawn."""
         if self._stale:
             self.draw()
             self.repaint()

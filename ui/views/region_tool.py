@@ -157,7 +157,6 @@ class RegionMarks:
         """Drawn over the image, which is drawn anew for each state of a run."""
 
     def show_light(self, irradiance: Array) -> None:
-        """Write the part of the flux and the uniformity at each region."""
         if not self._texts:
             return
         from workbench.analysis.regions import light_of_regions  # late: takes long to import

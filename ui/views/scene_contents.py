@@ -100,7 +100,6 @@ class FaceNets(QObject):
             self.changed.emit()
 
     def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
-        """Highlight the control points of a brush, its radius in scene units; or none."""
         brush = None if index is None else (index, radius)
         if brush != self._brush:
             self._brush = brush
@@ -119,7 +118,6 @@ class FaceNets(QObject):
             self.changed.emit()
 
     def mark(self, point: ControlPoint | None) -> None:
-        """Show the control points with one of them marked, or hide them."""
         if point != self._marked:
             self._marked = point
             self.changed.emit()
@@ -140,7 +138,6 @@ class FaceNets(QObject):
             self._face, self._brush = scene.optic.designed_face, None
 
     def draw(self, heights: "ControlHeights", shown: bool) -> None:
-        """Update the nets; show that of the selected face if a tool needs it."""
         self._pickable = shown or self._marked is not None
         for face, net in self._pictures.items():
             here = face == self._face
@@ -213,7 +210,6 @@ class SceneContents:
         self._marked = heights, places
 
     def draw(self, frame: "Frame", options: ViewOptions, tool: Tool | None) -> None:
-        """Draw a lens with its light, and the state of tools."""
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
         picture.set_colours(options.colours)

@@ -76,7 +76,6 @@ class SceneView(View):
 
     @property
     def frame(self) -> "Frame | None":
-        """The latest frame."""
         return self._frame
 
     @property
@@ -100,12 +99,10 @@ class SceneView(View):
 
     @property
     def has_train(self) -> bool:
-        """Whether there are several elements."""
         return self._session is not None and len(self._session.scene.elements) > 1
 
     @property
     def exploded(self) -> bool:
-        """Whether distances are not drawn to scale."""
         return self._options.exploded
 
     @property

@@ -64,22 +64,18 @@ class SharedView(QObject):
         self.now = ViewOptions()
 
     def show(self, **changes: Any) -> None:
-        """Change some of `ViewOptions`."""
         now = replace(self.now, **changes)
         if now != self.now:
             self.now = now
             self.changed.emit()
 
     def slot(self, name: str) -> Callable[[Any], None]:
-        """Return a function that sets an option."""
         return lambda value: self.show(**{name: value})
 
     def with_value(self, name: str, value: object) -> Callable[[], None]:
-        """Return a function that sets an option to a value."""
         return partial(self.show, **{name: value})
 
     def draw_line(self, on: bool) -> None:
-        """Let dragging draw a line, or move what is seen."""
         if on:
             self.mark_regions(False)
         self.show(drawing=on)

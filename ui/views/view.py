@@ -131,7 +131,6 @@ class View(QWidget):
         shown.outdated_changed.connect(self.show_outdated)
 
     def allow(self, resting: bool) -> None:
-        """Set whether the shown lens is final."""
         self._resting = resting
 
     def close_threads(self) -> None:
@@ -154,12 +153,10 @@ class View(QWidget):
         self._ask()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Mark the picture as outdated, or remove the mark."""
         self._of_another = outdated
         self._show_veil()
 
     def draw_now(self) -> None:
-        """Draw now, if needed and visible."""
         if not self._to_draw or not self.isVisible() or self.window().isMinimized():
             return
         session = self._session if self._frame is None else self._frame.session
@@ -168,7 +165,6 @@ class View(QWidget):
             self._draw(session, self._frame)
 
     def is_dark(self) -> bool:
-        """Whether text is brighter than the background."""
         palette = self.palette()
         return palette.windowText().color().lightness() > palette.window().color().lightness()
 
@@ -240,7 +236,6 @@ class ComputingView(View):
         super().show_nothing(session)
 
     def allow(self, resting: bool) -> None:
-        """Compute only while the shown lens is final."""
         super().allow(resting)
         if not resting:
             self._want_nothing()

@@ -50,7 +50,6 @@ class Views(QObject):
         }
 
     def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
-        """Connect the views to the shown lens; slider and loss curve show the history."""
         for view in (self.scene, *self.docked.values()):
             view.follow(document, shown)
         self.history_slider.frame_chosen.connect(shown.frame_changed)
@@ -59,16 +58,13 @@ class Views(QObject):
 
     @property
     def plots(self) -> dict[str, PlotView]:
-        """Views with axes, by dock name."""
         return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
 
     @property
     def computing(self) -> dict[str, ComputingView]:
-        """Views that compute while they are seen, by dock name."""
         return {name: view for name, view in self.docked.items() if isinstance(view, ComputingView)}
 
     def allow(self, look: bool, go_on: bool) -> None:
-        """Allow looking back at the run, and continuing from a shown frame."""
         self.history_slider.allow(look=look, go_on=go_on)
         for view in self.docked.values():
             view.allow(resting=look)
@@ -93,7 +89,6 @@ class Views(QObject):
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
-        """Functions of checkable commands."""
         options = {"exploded": "exploded", "perspective": "perspective", "relief": "exaggerated"}
         return {name: self.shared.slot(option) for name, option in options.items()}
 

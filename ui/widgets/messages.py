@@ -72,7 +72,6 @@ class MessageBar(QFrame):
         return bool(self.text) and not self._done
 
     def warn(self, text: str, *offers: Offer) -> None:
-        """Show a failure, with buttons."""
         self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
 
     def note(self, text: str, *offers: Offer, lasts: bool = False) -> None:

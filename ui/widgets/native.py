@@ -35,7 +35,6 @@ class Uncovered(QObject):
         window.windowHandle().installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Repaint uncovered areas; filter nothing."""
         if isinstance(event, QPaintEvent):
             self._window.update(event.region())
         return False

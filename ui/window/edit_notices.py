@@ -219,7 +219,6 @@ class _ChangedNet(NamedTuple):
 
 
 def _changed_net(before: Scene, after: Scene) -> _ChangedNet | None:
-    """The last face with another net, of those that both have."""
     old, new = nets_of(before), nets_of(after)
     changed = [face for face in new if face in old and old[face] != new[face]]
     if not changed:

@@ -36,7 +36,6 @@ class Layout:
                 restore(kept)
 
     def reset(self) -> None:
-        """Restore the initial docks, and fit the window to the screen."""
         self._window.restoreState(self._first)
         available = self._window.screen().availableSize()
         self._window.resize(self._window.size().boundedTo(available))

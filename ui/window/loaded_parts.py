@@ -104,7 +104,6 @@ class LoadedParts(QObject):
         return self.control.runner.state
 
     def allow(self, look: bool, go_on: bool) -> None:
-        """Allow looking back at the run, and continuing from a shown frame."""
         self.views.allow(look, go_on)
 
     def close(self) -> None:

@@ -51,7 +51,6 @@ class Situation:
 
     @property
     def two_faces(self) -> bool:
-        """Whether the entrance face is freeform, too."""
         return self.optic.entrance.shape == "bspline"
 
     @property
@@ -68,7 +67,6 @@ class Situation:
         return self.state in ("idle", "paused")
 
     def texts(self) -> dict[str, str]:
-        """Texts of commands that depend on the state."""
         return {
             "second_face": tr("Flat &entrance face")
             if self.two_faces

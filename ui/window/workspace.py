@@ -116,7 +116,6 @@ class DockWorkspace:
         self._placeholder.setText(tr("The 3D scene is hidden. View > 3D scene shows it again."))
 
     def name_light(self, session: "Session") -> None:
-        """Title the docks of light by the quantity of the receiver."""
         density = tr(session.scene.receiver.density.capitalize())
         self.docks["irradiance"].setWindowTitle(density)
         self.docks["error"].setWindowTitle(f"{density} − {in_sentence(tr(PANES['target'].title))}")
@@ -210,7 +209,6 @@ class EarlyParts(QObject):
         self.status = RunStatus(self._bar)
 
     def begin(self, begin: Callable[[], None]) -> None:
-        """Begin a run, unless an entry is refused."""
         self.forms.commit()
         if self.forms.refused:
             self._refused.show()
@@ -219,7 +217,6 @@ class EarlyParts(QObject):
             begin()
 
     def show_waiting(self, waiting: bool) -> None:
-        """Show that a run waits for kernels."""
         if waiting:
             self.log.add(tr(_COMPILING))
             self._bar.showMessage(tr(_COMPILING))

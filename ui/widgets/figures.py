@@ -1,14 +1,42 @@
-"""Translation of texts in matplotlib figures."""
+"""Figures of matplotlib in dialogs, and translation of their texts."""
 
 import re
 from collections.abc import Collection, Iterable
 from typing import cast
 
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.words import later, tr
+from workbench.pictures.axes import paint
+
+
+class FigureCanvas(FigureCanvasQTAgg):
+    """A figure in the colours of its parent, which are those of the theme."""
+
+    def __init__(self, parent: QWidget, name: str, figure: Figure) -> None:
+        super().__init__(figure)
+        self._window = parent
+        self.setParent(parent)
+        self.setAccessibleName(name)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        parent.installEventFilter(self)
+        self.recolour()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.PaletteChange:
+            self.recolour()
+        return bool(super().eventFilter(watched, event))
+
+    def recolour(self) -> None:
+        palette = self._window.palette()
+        paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
+        self.draw_idle()
+
 
 LABELS = later(
     (
