@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 import resources
 from resources.make_screenshot import begin, design, open_window, settle
-from ui.dialogs.outlook import ProspectFinder
+from ui.dialogs.estimate import ProspectFinder
 from ui.dialogs.start_page import StartPage
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog

@@ -7,13 +7,14 @@ import os
 import platform
 import signal
 import socket
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import workbench
-from ui.display import why_no_window
+from workbench import system_libraries
 from workbench.process import calm_library_threads, restart_in_utf8_mode
 from workbench.system_libraries import keep_shaders_in_memory
 
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
     from ui.main_window import MainWindow
     from ui.windows import Windows
+
 
 _PROGRAM = "freeform-workbench"
 _M_ARENA_MAX = -8  # of glibc's malloc.h
@@ -42,7 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
     from PySide6.QtCore import QSettings, QStandardPaths
 
     from ui.background import GarbageCollector
-    from ui.commands.choices import LANGUAGE, THEME
+    from ui.commands.actions import LANGUAGE, THEME
     from ui.unexpected_errors import UnexpectedErrors
     from ui.widgets import theme
     from ui.windows import Windows
@@ -163,3 +165,63 @@ def _leave_on_signals(windows: "Windows", application: "QApplication") -> socket
         # Through the event loop, which may not have begun yet.
         signal.signal(number, lambda *_: QTimer.singleShot(0, leave))
     return waking
+
+
+_PLATFORM = "QT_QPA_PLATFORM"
+# Starts everywhere: tests use it.
+_OFFSCREEN = "offscreen"
+_X = "xcb"
+# Vulkan alone draws there, and no widget.
+_WITHOUT_WIDGETS = "vkkhrdisplay"
+_PROBE = (
+    "from PySide6.QtGui import QGuiApplication, QRasterWindow;a = QGuiApplication(['probe']); w = "
+    "QRasterWindow(); w.resize(8, 8); w.show();a.processEvents()"
+)
+_PATIENCE_S = 20.0
+
+
+def why_no_window() -> str | None:
+    """Return why no window can open; None if it can."""
+    chosen = os.environ.get(_PLATFORM, "")
+    if sys.platform.startswith("linux"):
+        if missing := system_libraries.missing():
+            return system_libraries.advice(missing)
+        if chosen in ("", _X) and (reason := _why_no_x_window()):
+            return reason
+    if chosen in ("", _OFFSCREEN, _X) or (chosen != _WITHOUT_WIDGETS and _starts()):
+        return None
+    return f"no window opens with {_PLATFORM}={chosen}; type: {_cure()}"
+
+
+def _cure() -> str:
+    if sys.platform == "win32":
+        return f"set {_PLATFORM}= & freeform-workbench"
+    return f"env -u {_PLATFORM} freeform-workbench"
+
+
+def _why_no_x_window() -> str | None:
+    if not os.environ.get("DISPLAY"):
+        return "no display: DISPLAY is not set; use `freeform` to design without a window"
+    if not _display_answers():
+        return f"no display: {os.environ['DISPLAY']} does not answer; is an X server running?"
+    return None
+
+
+def _starts() -> bool:
+    try:
+        command = [sys.executable, "-c", _PROBE]
+        done = subprocess.run(command, capture_output=True, timeout=_PATIENCE_S, check=False)
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+    return done.returncode == 0
+
+
+def _display_answers() -> bool:
+    xcb = ctypes.CDLL("libxcb.so.1")
+    xcb.xcb_connect.restype = ctypes.c_void_p
+    xcb.xcb_connect.argtypes = (ctypes.c_char_p, ctypes.c_void_p)
+    xcb.xcb_connection_has_error.argtypes = (ctypes.c_void_p,)
+    # Stays open as long as the process: a virtual screen starts anew when its last client leaves,
+    # and would turn Qt away in the meantime.
+    connection = xcb.xcb_connect(None, None)
+    return bool(xcb.xcb_connection_has_error(connection) == 0)

@@ -10,7 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.commands.choices import LANGUAGE, THEME, choose_theme, tell_of_language
+from ui.commands.actions import LANGUAGE, THEME, choose_theme, tell_of_language
 from ui.commands.panes import PaneFocus
 from ui.commands.table import NEW
 from ui.dialogs.gallery import Gallery
@@ -22,10 +22,9 @@ from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskCutting
 from ui.run.control import CurrentLens
+from ui.window.docks import EarlyParts, Layout, ViewState
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
-from ui.window.layout import Layout, ViewState
 from ui.window.window_state import WindowState
-from ui.window.workspace import EarlyParts
 from ui.words import tr
 
 if TYPE_CHECKING:

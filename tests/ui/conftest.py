@@ -16,9 +16,9 @@ from tests.accounts import account_of
 from tests.ui.leftovers import left_behind, living
 from ui.background import GarbageCollector
 from ui.document.document import Document
+from ui.document.frame import make_frame
 from ui.main_window import MainWindow
 from ui.panels.forms import Forms
-from ui.shown.frame import make_frame
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session

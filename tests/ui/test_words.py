@@ -10,7 +10,7 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
-from ui.commands.choices import LANGUAGE
+from ui.commands.actions import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.dialogs.start_page import StartPage
 from ui.widgets.figures import translate, translate_axes

@@ -1,11 +1,12 @@
-"""Commands of the table as actions, in menus and toolbar."""
+"""Commands of the table as actions, in menus and toolbar, and choices kept in the settings."""
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
+from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
 
 from ui.commands.command_search import SEPARATOR
 from ui.commands.panes import PANES
@@ -25,7 +26,7 @@ from ui.commands.table import (
     Command,
 )
 from ui.widgets import theme
-from ui.words import tr
+from ui.words import current_language, system_language, tr
 
 
 def _examples() -> list[Any]:
@@ -261,3 +262,70 @@ def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:
     if isinstance(menu, QMenu):
         return [e for each in menu.actions() for e in _entries(each, name + SEPARATOR)]
     return [] if action.isSeparator() else [(name, action)]
+
+
+SYSTEM = "system"
+"""What counts where nothing was chosen: as the system has it."""
+
+
+class KeptChoice:
+    """A choice among commands, stored in the settings."""
+
+    def __init__(self, key: str, choices: Mapping[str, str]) -> None:
+        self._key, self._choices = key, choices
+
+    def kept(self, settings: QSettings) -> str:
+        """The stored choice; `SYSTEM` by default."""
+        kept = str(settings.value(self._key))
+        return kept if kept in self._choices.values() else SYSTEM
+
+    def offer(
+        self, settings: QSettings, commands: Commands, follow: Callable[[str], object]
+    ) -> None:
+        """Connect the commands to the choice; ``follow`` is called with each new choice."""
+        choose = partial(self._choose, settings, follow)
+        commands.connect({name: partial(choose, value) for name, value in self._choices.items()})
+        self.show(settings, commands)
+
+    def show(self, settings: QSettings, commands: Commands) -> None:
+        """Check the command of the stored choice, which may come from another window."""
+        kept = self.kept(settings)
+        chosen = next(name for name, value in self._choices.items() if value == kept)
+        commands[chosen].setChecked(True)
+
+    def _choose(self, settings: QSettings, follow: Callable[[str], object], value: str) -> None:
+        settings.setValue(self._key, value)
+        follow(value)
+
+
+LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES)
+
+
+def tell_of_language(tell: Callable[[str], object], code: str) -> None:
+    """Report that a new language is used after a restart."""
+    if (system_language() if code == SYSTEM else code) != current_language():
+        tell(tr("The language changes at the next start."))
+
+
+THEME = KeptChoice("window/theme", THEMES)
+
+
+def choose_theme(name: str) -> None:
+    """Apply a theme to all windows."""
+    application = QApplication.instance()
+    if isinstance(application, QApplication):
+        theme.choose(application, name)
+
+
+_COLOURS_KEY = "view/colours"
+
+
+def keep_colours(settings: QSettings, commands: Commands) -> None:
+    """Restore the stored colours of light, and store choices of the user, not those of a design."""
+    kept = f"colours_{settings.value(_COLOURS_KEY)}"
+    if kept in COLOURS:
+        commands[kept].setChecked(True)
+    for command, name in COLOURS.items():
+        commands[command].triggered.connect(
+            lambda _, name=name: settings.setValue(_COLOURS_KEY, name)
+        )

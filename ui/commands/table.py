@@ -48,7 +48,7 @@ THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
 """Commands for how the windows look; see `ui.widgets.theme.choose`."""
 
 LANGUAGE_CHOICES = {f"language_{code}": code for code in ("system", *LANGUAGES)}
-"""Commands for the language of the window; see `ui.commands.choices`."""
+"""Commands for the language of the window; see `ui.commands.actions`."""
 
 TOOLS = ("turn", "sculpt", "lock", "move_source")
 """Commands for what the left button does in the 3D scene."""

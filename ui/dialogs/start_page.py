@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from ui.dialogs.drawing import SideDrawing
+from ui.dialogs.estimate import EstimateView, Estimator
 from ui.dialogs.job_form import JobForm
-from ui.dialogs.outlook import Outlook, ProspectFinder
 from ui.files.actions import FileActions
 from ui.files.dialogs import FileDialogs
 from ui.panels.editors import Refusal
@@ -52,8 +52,8 @@ class StartPage(QDialog):
         self._begins = False  # as soon as there is one
         self._obstacle = ""  # why there is none
         self._refusal = Refusal()
-        self._finder = ProspectFinder(self)
-        self._drawing, self._outlook = SideDrawing(), Outlook()
+        self._finder = Estimator(self)
+        self._drawing, self._estimate = SideDrawing(), EstimateView()
         self._jobs = QListWidget()
         self._jobs.setAccessibleName(tr("Jobs"))
         self._jobs.setSpacing(3)
@@ -72,8 +72,8 @@ class StartPage(QDialog):
         self._jobs.setFixedWidth(max(self._jobs.sizeHintForColumn(0) + 2 * beside, _JOBS_WIDE))
         self._lay_out()
         self._finder.ready.connect(self._take)
-        self._finder.found.connect(self._outlook.show_prospect)
-        self._finder.progressed.connect(self._outlook.show_progress)
+        self._finder.found.connect(self._estimate.show_prospect)
+        self._finder.progressed.connect(self._estimate.show_progress)
         self._finder.failed.connect(self._refuse)
         self.finished.connect(self._close)
         self._jobs.currentRowChanged.connect(self._choose)
@@ -101,7 +101,7 @@ class StartPage(QDialog):
 
     def _lay_out(self) -> None:
         aside = QWidget()
-        filled(QVBoxLayout(aside), (self._drawing, 1), self._outlook, margins=0)
+        filled(QVBoxLayout(aside), (self._drawing, 1), self._estimate, margins=0)
         scrolled = QScrollArea()
         scrolled.setWidget(aside)
         scrolled.setWidgetResizable(True)
@@ -133,15 +133,15 @@ class StartPage(QDialog):
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
             self._finder.leave()
-            self._outlook.outdate()
+            self._estimate.outdate()
             return
         self._drawing.show_view(side_view(self.form.job.scene()))
-        self._outlook.wait()
+        self._estimate.wait()
         self._finder.look(self.form.job)
 
     def _take(self, session: "Session") -> None:
         self._session = session
-        self._outlook.show_target(session)
+        self._estimate.show_target(session)
         if self._begins:
             self._end(session)
 
@@ -151,7 +151,7 @@ class StartPage(QDialog):
 
     def _refuse(self, why: str) -> None:
         self._obstacle = why
-        self._outlook.refuse(why)
+        self._estimate.refuse(why)
         if self._begins:
             self._tell()
 

@@ -29,8 +29,8 @@ from workbench.files.atomic import remove_left_behind, replacing
 from workbench.files.session import Session, write_session
 
 if TYPE_CHECKING:
+    from ui.document.frame import Frame
     from ui.run.control import RunControl
-    from ui.shown.frame import Frame
 
 
 @dataclass(frozen=True)

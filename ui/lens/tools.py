@@ -14,9 +14,9 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.background import Background, Task
+from ui.document.frame import Frame, make_frame, same_task
 from ui.lens.brush_tools import Brush, Lock, Sculpt
 from ui.lens.move_source import MoveSource
-from ui.shown.frame import Frame, make_frame, same_task
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask

@@ -7,9 +7,9 @@ from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.background import Background, Task
+from ui.document.frame import same_light
 from ui.manufacture.figures import LimitFields, ManufactureFigures
 from ui.panels.editors import Chooser
-from ui.shown.frame import same_light
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.views.view import ComputingView
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 _PLACES = 193  # of a map along the longer side of the lens

@@ -8,8 +8,8 @@ import numpy as np
 from PySide6.QtCore import Signal
 
 from ui.background import Background, Task
+from ui.document.frame import same_light, shows
 from ui.manufacture.tolerance_form import ToleranceForm
-from ui.shown.frame import same_light, shows
 from ui.views.plot_view import PlotView
 from ui.views.view import View
 from ui.widgets.controls import SideBySide
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.analysis.tolerance_fields import Tolerances
     from workbench.analysis.tolerances import Perturbed
     from workbench.files.session import Session

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
-from ui.panels.lists import ListedPanel, another_name
+from ui.panels.panel import ListedPanel, another_name
 from ui.panels.rows import Rows, value_row
 from ui.words import capitalised, in_sentence, tr
 from workbench.design.limits import bounded

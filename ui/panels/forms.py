@@ -12,11 +12,9 @@ from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.elements import ElementsPanel
 from ui.panels.entries import Entries, Waiting, row_of
 from ui.panels.fields import Row
-from ui.panels.images import ImagesPanel, TargetPanel
+from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel
 from ui.panels.panel import Panel, PartPanel
-from ui.panels.regions import RegionsPanel
-from ui.panels.run import RunPanel, StagesPanel
-from ui.panels.scene import ScenePanel, SourcePanel
+from ui.panels.scene import RunPanel, ScenePanel, SourcePanel, StagesPanel
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, tr

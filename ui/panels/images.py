@@ -1,4 +1,4 @@
-"""Target of the first image, and the list of all images."""
+"""Target of the first image, the list of all images, and the list of regions."""
 
 from collections.abc import Set
 from dataclasses import replace
@@ -10,17 +10,26 @@ from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.panels.edits import Edit
-from ui.panels.fields import Row, TextRow
-from ui.panels.lists import ListedPanel
-from ui.panels.panel import PartPanel
+from ui.panels.fields import PairsRow, Row, TextRow
+from ui.panels.panel import ListedPanel, PartPanel, another_name
 from ui.panels.rows import KindRow, Make, Rows, file_rows
 from ui.words import in_sentence, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Finish, Image, Scene
+from workbench.powers import written
+from workbench.scene import (
+    AnyRegion,
+    FieldDescription,
+    Finish,
+    Image,
+    Kinds,
+    RectangleRegion,
+    Scene,
+)
 from workbench.scene.image import as_viewed
 from workbench.scene.part import title_of
 from workbench.targets.colour import SRGB
+from workbench.units import sized
 
 _ENDINGS = (
     "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp *.pgm "
@@ -196,3 +205,59 @@ class ImagesPanel(ListedPanel[Image]):
 
 def _several(scene: Scene) -> bool:
     return len(scene.images) > 1
+
+
+class RegionsPanel(ListedPanel[AnyRegion]):
+    """Bound to ``scene.regions``."""
+
+    def __init__(self, field: FieldDescription) -> None:
+        self._field = field
+        super().__init__(
+            tr(field.title),
+            replace(field, title=tr("Regions")),
+            "regions",
+            tr("region"),
+            (
+                tr("Add a region in the middle"),
+                tr("Add a copy of the selected region"),
+                tr("Remove the selected region"),
+                tr("Move the selected region up"),
+                tr("Move the selected region down"),
+            ),
+        )
+
+    def parts_of(self, scene: Scene) -> tuple[AnyRegion, ...]:
+        return scene.regions
+
+    def remark(self, scene: Scene) -> str:
+        return "" if scene.regions else tr("None.")
+
+    def new(self, which: int) -> AnyRegion:
+        count = len(self.session.scene.regions) + 1
+        return RectangleRegion(name=tr("Region {count}").format(count=count))
+
+    def copy(self, part: AnyRegion) -> AnyRegion:
+        taken = (region.name for region in self.session.scene.regions)
+        return part.model_copy(update={"name": another_name(part.name, taken, " ")})
+
+    def summary(self, part: AnyRegion) -> str:
+        scene = self.session.scene
+        low, high = part.outline.min(axis=0), part.outline.max(axis=0)
+        width, height = (high - low) * scene.receiver.half_extent * 2
+        unit = scene.receiver.measure.sign_in(scene.unit)
+        size = sized(f"{written(width)} × {written(height)}", unit)
+        return f"{part.name}: {in_sentence(tr(title_of(type(part))))}, {size}"
+
+    def name_of(self, number: int) -> str:
+        return tr("Region {number}").format(number=number + 1)
+
+    def rows_of(self, number: int) -> list[Row]:
+        kinds = self._field.mark(Kinds)
+        assert kinds is not None  # they are of several kinds
+        rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})
+        return rows.of_kinds(self._field, kinds, f"regions[{number}]", tr("Shape"))
+
+
+def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
+    tip = f"{tr(field.tip)} {tr('As x, y; x, y; …')}"
+    return [PairsRow(replace(field, tip=tip), path)]

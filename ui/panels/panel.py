@@ -1,16 +1,31 @@
-"""A panel: the rows of one part of the scene under a heading that folds them away."""
+"""Panels: rows under a heading that folds them away, and lists of parts."""
 
-from collections.abc import Sequence, Set
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Sequence, Set
+from functools import partial
+from itertools import count, pairwise
+from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QHBoxLayout,
+    QListWidget,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
+from ui.panels.editors import Wrapped
+from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows
 from ui.widgets.controls import filled
 from ui.words import in_sentence, tr
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Kinds
+from workbench.scene import FieldDescription, Kinds, Part, Scene
 
 
 class Panel(QWidget):
@@ -114,3 +129,257 @@ class PartPanel(Panel):
 
     def own_rows(self) -> dict[str, Make]:
         return {}
+
+
+_MOST_SEEN = 6  # parts; more are scrolled to
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+class ListedPanel(Panel, Generic[AnyPart]):
+    """A list of parts at a path, with buttons; below it the rows of the selected part.
+
+    ``called`` is the name of a part, ``tips`` are those of the buttons, ``adding`` texts of the
+    buttons that add parts.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        field: FieldDescription,
+        path: str,
+        called: str,
+        tips: Sequence[str],
+        adding: Sequence[str] = (),
+    ) -> None:
+        self._bound = -1  # the part whose rows are there
+        self._called = ""  # in their names
+        self.list = PartList(self, field, path, called, tips, adding)
+        super().__init__(title, [self.list])
+        self.list.chosen.connect(self._choose)
+
+    def prepare(self, session: Session) -> None:
+        self._session = session
+        self.list.show_parts(self.parts_of(session.scene), self.remark(session.scene))
+        self._bind(self.list.current)
+
+    @abstractmethod
+    def parts_of(self, scene: Scene) -> tuple[AnyPart, ...]:
+        """Return the parts of a scene."""
+
+    def remark(self, scene: Scene) -> str:
+        """Return a sentence below the list."""
+        return ""
+
+    @abstractmethod
+    def new(self, which: int) -> AnyPart:
+        """Return the part that an add button appends."""
+
+    @abstractmethod
+    def summary(self, part: AnyPart) -> str:
+        """Return a description of a part in one line."""
+
+    @abstractmethod
+    def name_of(self, number: int) -> str:
+        """Return the title of a part."""
+
+    @abstractmethod
+    def rows_of(self, number: int) -> list[Row]:
+        """Return the rows of a part."""
+
+    def copy(self, part: AnyPart) -> AnyPart:
+        return part
+
+    def place_of_copy(self) -> int:
+        return self.list.current + 1
+
+    def exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
+        return second, first
+
+    def chosen_among(self, before: tuple[AnyPart, ...], parts: tuple[AnyPart, ...]) -> int:
+        """Return the part to select when the parts have changed."""
+        return min(max(self.list.current, 0), len(parts) - 1)
+
+    def _choose(self) -> None:
+        self._bind(self.list.current)
+        self.reverted.emit(self.list.path)
+
+    def _bind(self, number: int) -> None:
+        name = self.name_of(number) if number >= 0 else ""
+        if number != self._bound:
+            self._remove_rows(list(self.rows[1:]))
+            self._bound = number
+            if number >= 0:
+                self._add_rows(self.rows_of(number), name)
+                self._put_in_tab_order()
+        elif name != self._called:
+            self._name_rows(self.rows[1:], name)
+        self._called = name
+
+    def _put_in_tab_order(self) -> None:
+        """Let Tab reach the new rows behind the list; they would come last of all panels."""
+        stops = [
+            widget
+            for row in self.rows
+            for widget in row.findChildren(QWidget)
+            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+            and widget.focusProxy() is None
+            and widget.window() is self.window()  # not the lists that choosers open
+        ]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)
+
+
+class PartList(Row):
+    """List of parts, with buttons to add, duplicate, remove and move them."""
+
+    chosen = Signal()
+
+    def __init__(
+        self,
+        panel: ListedPanel[Any],
+        field: FieldDescription,
+        path: str,
+        called: str,
+        tips: Sequence[str],
+        adding: Sequence[str],
+    ) -> None:
+        super().__init__(field, path)
+        self._panel, self._called = panel, called
+        self._parts: tuple[Any, ...] = ()
+        self._list = QListWidget()
+        self._list.setAccessibleName(self.label.text())
+        self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
+        self._rest = Wrapped()
+        adding = adding or (tr("Add"),)
+        texts = (*adding, tr("Duplicate"), tr("Remove"), tr("Up"), tr("Down"))
+        actions: tuple[Callable[[], None], ...] = (
+            *(partial(self._append, which) for which in range(len(adding))),
+            self._duplicate,
+            self._drop,
+            partial(self._move, -1),
+            partial(self._move, 1),
+        )
+        buttons = [
+            _button(text, tip, act) for text, tip, act in zip(texts, tips, actions, strict=True)
+        ]
+        self._of_chosen = buttons[len(adding) :]
+        lines = [buttons] if len(adding) == 1 else [buttons[: len(adding)], self._of_chosen]
+        content = QWidget()
+        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=3)
+        for line in lines:
+            column.addLayout(_side_by_side(line))
+        self._add(content)
+        self.setFocusProxy(self._list)
+
+    @property
+    def current(self) -> int:
+        """Index of the selected part; −1 for none."""
+        return self._list.currentRow()
+
+    def concerns(self, path: str) -> bool:
+        """Whether a refusal concerns the whole list."""
+        return path == self.path
+
+    def _is_there(self, scene: Any) -> bool:
+        return True
+
+    def show_parts(self, parts: tuple[Part, ...], remark: str) -> None:
+        if parts != self._parts:
+            with QSignalBlocker(self._list):
+                chosen = self._panel.chosen_among(self._parts, parts)
+                self._parts = parts
+                self._list.clear()
+                for number, part in enumerate(parts, start=1):
+                    self._list.addItem(f"{number}.  {self._panel.summary(part)}")
+                    self._list.item(number - 1).setToolTip(self._panel.summary(part))
+                self._list.setCurrentRow(chosen)
+        if parts:
+            rows = min(len(parts), _MOST_SEEN)
+            frame = 2 * self._list.frameWidth()
+            self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
+        self._rest.say(remark)
+        self._rest.setVisible(bool(remark))
+        self._list.setVisible(bool(parts))
+        self._enable()
+
+    def _enable(self) -> None:
+        current, last = self.current, len(self._parts) - 1
+        duplicate, remove, up, down = self._of_chosen
+        duplicate.setEnabled(last >= 0)
+        remove.setEnabled(last >= 0)
+        up.setEnabled(current > 0)
+        down.setEnabled(0 <= current < last)
+
+    def _append(self, which: int) -> None:
+        self._put(
+            [*self._parts, self._panel.new(which)],
+            tr("new {part}").format(part=self._called),
+            len(self._parts),
+        )
+
+    def _duplicate(self) -> None:
+        current, parts = self.current, list(self._parts)
+        place = self._panel.place_of_copy()
+        parts.insert(place, self._panel.copy(parts[current]))
+        self._put(
+            parts,
+            tr("copy of {part} {number}").format(part=self._called, number=current + 1),
+            place,
+        )
+
+    def _drop(self) -> None:
+        current = self.current
+        rest = [part for number, part in enumerate(self._parts) if number != current]
+        self._put(
+            rest,
+            tr("removal of {part} {number}").format(part=self._called, number=current + 1),
+            current,
+        )
+
+    def _move(self, step: int) -> None:
+        current, parts = self.current, list(self._parts)
+        first = min(current, current + step)
+        parts[first : first + 2] = self._panel.exchanged(*parts[first : first + 2])
+        self._put(
+            parts,
+            tr("move of {part} {number}").format(part=self._called, number=current + 1),
+            current + step,
+        )
+
+    def _put(self, parts: list[Part], text: str, chosen: int) -> None:
+        data = _data(parts)
+        self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
+        if _data(self._parts) == data:  # not refused
+            self._list.setCurrentRow(min(chosen, len(parts) - 1))
+
+
+def another_name(name: str, taken: Iterable[str], between: str) -> str:
+    """Return an unused name: the given one with the next free number."""
+    stem = re.sub(rf"{between}\d+$", "", name)
+    names = set(taken)
+    return next(new for k in count(2) if (new := f"{stem}{between}{k}") not in names)
+
+
+def _data(parts: Iterable[Part]) -> list[dict[str, Any]]:
+    return [part.model_dump(mode="json", exclude_none=True) for part in parts]
+
+
+def _button(text: str, tip: str, act: Callable[[], None]) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # typed text is entered before it acts
+    button.clicked.connect(lambda _: act())
+    return button
+
+
+def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
+    line = QHBoxLayout()
+    line.setSpacing(2)
+    for button in buttons:
+        line.addWidget(button)
+    line.addStretch()
+    return line

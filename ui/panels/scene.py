@@ -1,15 +1,19 @@
-"""Panels of the whole scene and of the source."""
+"""Panels of the whole scene, of the source, and of the run with its stages."""
 
+from collections.abc import Set
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel
 
 from ui.panels.edits import Edit
-from ui.panels.fields import Changes, ChoiceRow, Row, TextRow
-from ui.panels.panel import Panel, PartPanel
-from ui.panels.rows import KindRow, Make, Rows, file_rows
-from ui.words import tr
+from ui.panels.fields import Changes, ChoiceRow, Row, TextRow, described
+from ui.panels.panel import ListedPanel, Panel, PartPanel
+from ui.panels.rows import KindRow, Make, Rows, file_rows, value_row
+from ui.words import in_sentence, later, tr
+from workbench.design.parametrisation import memory_bytes, parameter_count
+from workbench.process import as_bytes
 from workbench.scene import (
     FieldDescription,
     Kinds,
@@ -17,7 +21,9 @@ from workbench.scene import (
     PhotometricSource,
     RayFileSource,
     Scene,
+    Stage,
 )
+from workbench.scene.part import title_of
 
 
 class ScenePanel(Panel):
@@ -85,3 +91,118 @@ class SourcePanel(PartPanel):
             "source.file", tr("change of file of light"), {"source": source | file}, waits=False
         )
         self.edited.emit(edit)
+
+
+class RunPanel(PartPanel):
+    """Bound to ``scene.run``."""
+
+    def own_rows(self) -> dict[str, Make]:
+        return {"parametrisation": lambda field, path: [value_row(field, path), _SizeRow()]}
+
+
+class _SizeRow(Row):
+    def __init__(self) -> None:
+        tip = tr(
+            "Number of optimised parameters, and their memory with gradient and optimiser state. "
+            "A network that does not fit into memory is refused at the start."
+        )
+        super().__init__(described(tr("Parameters"), tip), "run.parameters")
+        self._text = QLabel()
+        self._add(self._text)
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        self._text.setText(f"{parameter_count(scene):,} ({as_bytes(memory_bytes(scene))})")
+
+    @property
+    def text(self) -> str:
+        return self._text.text()
+
+    def _is_there(self, scene: Any) -> bool:
+        return True
+
+
+def _iterations(count: int) -> str:
+    return tr("1 iteration") if count == 1 else tr("{count} iterations").format(count=count)
+
+
+_AS_THE_SCENE = later("As the scene")
+
+
+class StagesPanel(ListedPanel[Stage]):
+    """Bound to ``scene.run.stages``."""
+
+    def __init__(self) -> None:
+        tip = tr(
+            "Stages that a run completes before the scene itself; each continues from the lens of "
+            "the previous one. Example: a point source before an extended one, or a coarse net "
+            "before a fine one."
+        )
+        super().__init__(
+            tr("Stages"),
+            described(tr("Stages"), tip),
+            "run.stages",
+            tr("stage"),
+            (
+                tr("Add a stage behind the others"),
+                tr("Add a copy of the selected stage"),
+                tr("Remove the selected stage"),
+                tr("Run the selected stage earlier"),
+                tr("Run the selected stage later"),
+            ),
+        )
+
+    def parts_of(self, scene: Scene) -> tuple[Stage, ...]:
+        return scene.run.stages
+
+    def remark(self, scene: Scene) -> str:
+        if not scene.run.stages:
+            return tr("None: the run has only the scene itself.")
+        left = _iterations(self._iterations_left)
+        return tr("Then the scene itself: {iterations}.").format(iterations=left)
+
+    @property
+    def _iterations_left(self) -> int:
+        run = self.session.scene.run
+        return run.iterations - sum(stage.iterations for stage in run.stages)
+
+    def new(self, which: int) -> Stage:
+        return Stage(iterations=max(1, self._iterations_left // 2))
+
+    def summary(self, part: Stage) -> str:
+        parts = [_iterations(part.iterations)]
+        if part.method is not None:
+            (method,) = (field for field in Stage.fields() if field.name == "method")
+            parts.append(in_sentence(tr(dict(method.choices)[part.method])))
+        if part.control_points is not None:
+            n_u, n_v = part.control_points
+            parts.append(tr("net of {n_u} × {n_v}").format(n_u=n_u, n_v=n_v))
+        if part.source is not None:
+            parts.append(in_sentence(tr(title_of(type(part.source)))))
+        if part.filter is not None:
+            kind = in_sentence(tr(title_of(type(part.filter))))
+            parts.append(tr("{kind} filter").format(kind=kind))
+        return ", ".join(parts)
+
+    def name_of(self, number: int) -> str:
+        return tr("Stage {number}").format(number=number + 1)
+
+    def rows_of(self, number: int) -> list[Row]:
+        path = f"run.stages[{number}]"
+        rows = Rows(
+            lambda: self.session.scene.stage_scenes()[number],
+            {"method": self._method_rows},
+            tr(_AS_THE_SCENE),
+            path,
+        )
+        return rows.of_part(Stage, path)
+
+    def _method_rows(self, field: FieldDescription, path: str) -> list[Row]:
+        rate = f"{path.rpartition('.')[0]}.learning_rate"
+
+        def changes(choice: str) -> Changes:
+            made: Changes = {path: choice or None}
+            if (choice or self.session.scene.run.method) == "auto":
+                made[rate] = None
+            return made
+
+        return [ChoiceRow(field, path, otherwise=tr(_AS_THE_SCENE), changes=changes)]

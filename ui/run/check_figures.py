@@ -14,10 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.run.check import RAYS, CheckedLens
-from ui.widgets.controls import STRETCH, filled
+from ui.run.checks import RAYS, CheckedLens
+from ui.widgets.controls import STRETCH, Table, filled
 from ui.widgets.labels import WrappedLabel, kept_together
-from ui.widgets.tables import Table
 from ui.words import in_sentence, later, tr
 from workbench.messages import Message
 

@@ -18,13 +18,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.document.frame import image_titles
 from ui.run.kept_runs import called
 from ui.run.status import clock
-from ui.shown.frame import image_titles
-from ui.widgets.controls import filled
+from ui.widgets.controls import Table, filled, side_by_side
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.native import rgb_image
-from ui.widgets.tables import Table, side_by_side
 from ui.words import field_title, later, tr
 from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun

@@ -8,16 +8,16 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.background import Background
 from ui.document.document import Document
+from ui.document.frame import iterations_before
+from ui.document.shown_lens import FrameHistory
 from ui.run.kept_runs import called, with_run
 from ui.run.worker import Generate, RunJob, work
-from ui.shown.frame import iterations_before
-from ui.shown.shown_lens import FrameHistory
 from ui.words import later, tr
 from workbench.design.snapshot import Result
 from workbench.design.task import origin
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz

@@ -33,7 +33,7 @@ from workbench.messages import Message
 if TYPE_CHECKING:
     from collections.abc import Generator
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.design.snapshot import Result, Snapshot
     from workbench.files.session import Session
 

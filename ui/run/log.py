@@ -12,7 +12,7 @@ from ui.words import later, tr
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.design.snapshot import Snapshot
 
 _TURNS = later(

@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.run.check import CheckedLens, verified_error
+from ui.document.frame import lit_alike
+from ui.run.checks import CheckedLens, RunCheck, verified_error
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, renamed, restored, without
-from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
-from ui.shown.frame import lit_alike
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import KeptRun

@@ -12,7 +12,7 @@ from workbench.design.snapshot import Pace
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
 
 _GAP = 8  # pixels between two things in a status bar, at most
 

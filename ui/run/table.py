@@ -21,9 +21,8 @@ from PySide6.QtWidgets import (
 
 from ui.run.comparison import figures_of, thumbnail_of
 from ui.run.kept_runs import called
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, Table, filled
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.tables import Table
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun

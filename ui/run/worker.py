@@ -11,7 +11,7 @@ from threading import Condition, Lock
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from ui.background import Task
-from ui.shown.frame import Frame, make_frame
+from ui.document.frame import Frame, make_frame
 from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks

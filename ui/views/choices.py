@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
 
-from ui.shown.frame import image_titles
+from ui.document.frame import image_titles
 from ui.views.shared_view import SharedView
 from ui.words import capitalised, tr
 from workbench.geometry.surface import nets_of

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
 from ui.background import Background, Task
-from ui.shown.frame import same_task
+from ui.document.frame import same_task
 from ui.views.choices import FaceChoice
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import SharedView
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.analysis.derivatives import DerivativeMap
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights

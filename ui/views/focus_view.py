@@ -13,7 +13,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
 
 from ui.background import Background, Task, other_cores
-from ui.shown.frame import same_task
+from ui.document.frame import same_task
 from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
 from ui.views.shared_view import SharedView
@@ -30,7 +30,7 @@ from workbench.pictures.error_curves import FocusCurve
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights

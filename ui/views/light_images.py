@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton
 
-from ui.shown.frame import same_task
+from ui.document.frame import same_task
 from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
 from ui.views.region_tool import RegionMarks, RegionTool
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.scene import Scene
 

@@ -14,7 +14,7 @@ from workbench.optics.account import LOSSES, losses_in, words_for
 from workbench.scene import Screen
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 _AT_FIRST = words_for(Screen)

@@ -7,7 +7,7 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from ui.shown.frame import iterations_before
+from ui.document.frame import iterations_before
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import SharedView
 from ui.widgets.controls import MenuButton, chosen_of, filled
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 

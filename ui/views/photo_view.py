@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task, other_cores
-from ui.shown.frame import same_light
+from ui.document.frame import same_light
 from ui.views.choices import ImageChoice
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
@@ -30,7 +30,7 @@ from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.analysis.photo.photo import Photo
     from workbench.files.session import Session
 

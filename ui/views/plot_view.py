@@ -33,7 +33,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
-from ui.shown.frame import same_task
+from ui.document.frame import same_task
 from ui.views.shared_view import SharedView
 from ui.views.view import View, drawing_queue
 from ui.widgets.figures import translate, translate_axes
@@ -42,7 +42,7 @@ from ui.words import later, tr
 from workbench.pictures.axes import Column, paint, shown_data
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.

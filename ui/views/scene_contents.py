@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.shown.frame import some_rays
+from ui.document.frame import some_rays
 from ui.views.shared_view import ViewOptions
 from ui.views.tools import Tool
 from ui.words import later, tr
@@ -17,7 +17,7 @@ from workbench.arrays import Array, Mask
 from workbench.geometry.faces import NO_LOCKS, ControlPoint
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.actors import PointMarkers

@@ -19,7 +19,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy
 
-from ui.shown.frame import same_task
+from ui.document.frame import same_task
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
 from ui.views.tools import Pointer, Tool, ToolInput, steer
@@ -31,7 +31,7 @@ from workbench.arrays import Array
 from workbench.design.limits import bounded
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.projection import Projection

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.scene import AnyReceiver, Scene
 

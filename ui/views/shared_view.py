@@ -31,7 +31,7 @@ class ViewOptions:
     draft: tuple[Place, ...] = ()  # outline of the region that is being drawn
     logarithmic: bool = False
 
-    rays: int = 15  # along each axis: a divisor of `ui.shown.frame.RAYS`, or 0
+    rays: int = 15  # along each axis: a divisor of `ui.document.frame.RAYS`, or 0
     exploded: bool = False
     perspective: bool = False
     by_weight: bool = False

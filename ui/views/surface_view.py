@@ -16,7 +16,7 @@ from workbench.pictures.surface import ASPECTS, SurfaceImage
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
 
 

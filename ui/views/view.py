@@ -14,15 +14,15 @@ from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.background import Background
-from ui.shown.frame import shows
+from ui.document.frame import shows
 from ui.views.shared_view import SharedView
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
 
 if TYPE_CHECKING:
     from ui.document.document import Document
-    from ui.shown.frame import Frame
-    from ui.shown.shown_lens import ShownLens
+    from ui.document.frame import Frame
+    from ui.document.shown_lens import ShownLens
     from workbench.files.session import Session
 
 _REST = 2.0  # seconds of rest for each second of drawing

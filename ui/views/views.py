@@ -22,7 +22,7 @@ from ui.views.view import ComputingView, View
 
 if TYPE_CHECKING:
     from ui.document.document import Document
-    from ui.shown.shown_lens import FrameHistory, ShownLens
+    from ui.document.shown_lens import FrameHistory, ShownLens
 
 
 class Views(QObject):

@@ -5,20 +5,19 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from ui.commands.choices import keep_colours
+from ui.commands.actions import keep_colours
+from ui.document.shown_lens import ShownLens
 from ui.files.plots import PhotoPicture, Plots, ScenePictures
 from ui.lens.tools import LensTools
 from ui.manufacture.pane import ManufacturePane
 from ui.manufacture.tolerance_pane import TolerancePane
 from ui.panels.edits import Edit
-from ui.run.check import Check
 from ui.run.check_figures import CheckFigures
+from ui.run.checks import BoundOfDesign, Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.log import RunLog
-from ui.run.run_check import BoundOfDesign
 from ui.run.runs import Runs
-from ui.shown.shown_lens import ShownLens
 from ui.views.view import View
 from ui.views.views import Views
 from ui.window.edit_notices import PostponedEdits
@@ -31,8 +30,8 @@ from ui.window.run_notices import (
 from ui.words import tr
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
-    from ui.window.workspace import EarlyParts
+    from ui.document.frame import Frame
+    from ui.window.docks import EarlyParts
     from workbench.scene.receiver import Region
 
 

@@ -19,8 +19,8 @@ from workbench.messages import Message
 from workbench.optics.account import LOSSES
 
 if TYPE_CHECKING:
+    from ui.document.frame import Frame
     from ui.run.control import RunControl
-    from ui.shown.frame import Frame
     from workbench.optics.paths import TotalReflection
 
 _MORE = 0.05  # of a needed range, at each end

@@ -7,7 +7,7 @@ from PySide6.QtGui import QKeySequence
 
 from ui.commands.table import LOCKS, NEW
 from ui.run.control import CurrentLens
-from ui.window.workspace import EarlyParts
+from ui.window.docks import EarlyParts
 from ui.words import later, tr
 from workbench.design.snapshot import STOPPED, has_converged
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 
 from tests.accounts import account_of
 from tests.ui.hands import move_screen
-from ui.run.check import verified_error
+from ui.run.checks import verified_error
 from workbench.analysis.by_cells import RandomShare
 from workbench.analysis.metrics import Quality
 from workbench.analysis.validation import validating

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtGui import QAction
 
 from tests.ui.hands import move_screen
-from ui.run.check import CheckedLens
 from ui.run.check_figures import CheckFigures
+from ui.run.checks import CheckedLens
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
 from workbench.report.figures import account_rows, check_rows

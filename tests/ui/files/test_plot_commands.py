@@ -5,8 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
-from ui.commands.actions import Commands
-from ui.commands.choices import keep_colours
+from ui.commands.actions import Commands, keep_colours
 
 
 @pytest.fixture

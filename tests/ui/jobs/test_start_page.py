@@ -79,7 +79,7 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
 def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
-    qtbot.waitUntil(lambda: "none-256.png" in page._outlook.text)
+    qtbot.waitUntil(lambda: "none-256.png" in page._estimate.text)
     assert not page._refusal.isVisible()
     page.begin()
     assert page.isVisible() and window.document.session is before
@@ -112,28 +112,28 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
 
 def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(page, qtbot):
     choose(page, Torch)
-    qtbot.waitUntil(lambda: "Viewed from the side of the light" in page._outlook.text)
+    qtbot.waitUntil(lambda: "Viewed from the side of the light" in page._estimate.text)
     qtbot.waitUntil(lambda: page._session is not None)
     session = page._session
-    picture = page._outlook._wanted._picture
+    picture = page._estimate._wanted._picture
     column, row = np.argwhere(session.target.T > 0.5)[0]  # the leftmost pixel on the receiver
     mirrored = picture.width() - 1 - int(column)
     assert picture.pixelColor(mirrored, int(row)).value() > 180
     row_of(page, "target.viewed_from").chooser.activated.emit(2)
-    qtbot.waitUntil(lambda: "Viewed from behind the screen" in page._outlook.text)
+    qtbot.waitUntil(lambda: "Viewed from behind the screen" in page._estimate.text)
     assert page.form.job.target.viewed_from == "back"
 
 
 def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
     choose(page, SunPlate)
-    qtbot.waitUntil(lambda: "Largest slope" in page._outlook.text, timeout=90_000)
-    outlook, (label, *_) = page._outlook, page._outlook._labels
-    assert "estimating…" in outlook.text and label.isEnabled()
+    qtbot.waitUntil(lambda: "Largest slope" in page._estimate.text, timeout=90_000)
+    estimate, (label, *_) = page._estimate, page._estimate._labels
+    assert "estimating…" in estimate.text and label.isEnabled()
     row = row_of(page, "distance")
     row.edited.emit(Edit("distance", "distance", {"distance": 700.0}))
-    assert "Outdated figures." in outlook.text
+    assert "Outdated figures." in estimate.text
     assert not label.isEnabled()
-    qtbot.waitUntil(lambda: "Outdated" not in outlook.text, timeout=90_000)
-    assert all(label.isEnabled() for label in outlook._labels)
+    qtbot.waitUntil(lambda: "Outdated" not in estimate.text, timeout=90_000)
+    assert all(label.isEnabled() for label in estimate._labels)
     row.edited.emit(Edit("distance", "distance", {"distance": -1.0}))
-    assert page.form.refused and "Outdated figures." in outlook.text
+    assert page.form.refused and "Outdated figures." in estimate.text

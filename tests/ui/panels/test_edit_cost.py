@@ -5,7 +5,7 @@ from collections import Counter
 import pytest
 
 from tests.ui.hands import enter
-from ui.shown.frame import make_frame
+from ui.document.frame import make_frame
 from workbench.scene import Scene
 
 GRID = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.2, 0.2], "points": [3, 3]}

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, fill, row
 from ui.document.document import Document
-from ui.panels.regions import RegionsPanel
+from ui.panels.images import RegionsPanel
 from workbench.scene import PolygonRegion
 
 

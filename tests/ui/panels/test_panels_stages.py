@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, row, rows
 from ui.document.document import Document
-from ui.panels.run import StagesPanel
+from ui.panels.scene import StagesPanel
 from workbench.scene import Stage
 
 

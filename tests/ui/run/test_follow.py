@@ -8,7 +8,7 @@ import pytest
 
 from ui.document.document import Document
 from ui.run import follow as followed
-from ui.run.check import Check
+from ui.run.checks import Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.kept_runs import restored

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import move_screen
-from ui.run.check import CheckedLens
+from ui.run.checks import CheckedLens
 from workbench.design.loss import relative_error
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -171,9 +171,9 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
 
 
 def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
-    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
-    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)
+    monkeypatch.setattr("ui.run.checks._REST", 0.0)
+    monkeypatch.setattr("ui.run.checks._RESTS", 0.0)
+    monkeypatch.setattr("ui.run.checks.QThread.idealThreadCount", lambda: 1)
     window.loaded.control.runner._generate = as_run(20, pause=0.01)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()

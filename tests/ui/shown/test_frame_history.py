@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from ui.shown.frame import iterations_before
-from ui.shown.shown_lens import FrameHistory
+from ui.document.frame import iterations_before
+from ui.document.shown_lens import FrameHistory
 from workbench.pictures.loss import Verified
 
 EARLY, LATE = Verified(1, 0.1, 0.5), Verified(3, 0.3, 0.25)

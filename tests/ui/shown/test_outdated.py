@@ -3,7 +3,7 @@
 import pytest
 
 from tests.ui.hands import move_screen
-from ui.shown.shown_lens import ShownLens
+from ui.document.shown_lens import ShownLens
 from ui.views.view import View
 
 

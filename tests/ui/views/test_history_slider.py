@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from ui.shown.frame import iterations_before
+from ui.document.frame import iterations_before
 
 pytestmark = pytest.mark.usefixtures("kernels")
 

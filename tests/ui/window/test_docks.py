@@ -5,7 +5,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QScreen
 
 from tests.ui.hands import move_screen
-from ui.window.workspace import _FORMS_SHARE, _IMAGES
+from ui.window.docks import _FORMS_SHARE, _IMAGES
 
 
 def reset(window, qtbot):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _HIGH = 160  # logical pixels of a picture: two of them are compared
 
 
-class ProspectFinder(QObject):
+class Estimator(QObject):
     """Draws the target of a job and estimates its result in a thread."""
 
     ready = Signal(object)  # Session
@@ -74,7 +74,7 @@ def _find(job: "Job", task: Task) -> "Prospect | None":
     )
 
 
-class Outlook(QWidget):
+class EstimateView(QWidget):
     """Shows the estimate of a job."""
 
     def __init__(self) -> None:

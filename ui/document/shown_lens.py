@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
-from ui.shown.frame import iterations_before, lit_alike, same_task, shows
+from ui.document.frame import iterations_before, lit_alike, same_task, shows
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from ui.shown.frame import Frame
+    from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.pictures.loss import Verified
 

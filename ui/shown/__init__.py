@@ -1,1 +1,0 @@
-"""Frames of a run or a preview, and their history."""
