@@ -1539,7 +1539,7 @@
             <translation>Werkzeugleiste</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/choices.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>The language changes at the next start.</source>
             <translation>Die Sprache ändert sich beim nächsten Start.</translation>
         </message>
@@ -1607,6 +1607,41 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, maßstäblich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>estimate</source>
+            <translation>Schätzung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Best possible image</source>
+            <translation>Bestmögliches Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>The source size blurs the image of any lens</source>
+            <translation>Die Größe der Quelle verwischt das Bild jeder Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Best possible</source>
+            <translation>Bestmöglich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Computing the estimate…</source>
+            <translation>Abschätzung wird berechnet …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Outdated figures.</source>
+            <translation>Veraltete Kennzahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Schätzung läuft … {part:.0f} %</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/gallery.py" />
@@ -1677,41 +1712,6 @@
             <location filename="../../ui/dialogs/job_form.py" />
             <source>file of light</source>
             <translation>Lichtdatei</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>estimate</source>
-            <translation>Schätzung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Best possible image</source>
-            <translation>Bestmögliches Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>The source size blurs the image of any lens</source>
-            <translation>Die Größe der Quelle verwischt das Bild jeder Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Best possible</source>
-            <translation>Bestmöglich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Computing the estimate…</source>
-            <translation>Abschätzung wird berechnet …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Outdated figures.</source>
-            <translation>Veraltete Kennzahlen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Estimating… {part:.0f} %</source>
-            <translation>Schätzung läuft … {part:.0f} %</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
@@ -1795,6 +1795,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs of the sweep</source>
+            <translation>Entwürfe der Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Start</source>
             <translation>Start</translation>
         </message>
@@ -1840,41 +1845,36 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>Designs of the sweep</source>
-            <translation>Entwürfe der Reihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
             <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
             <translation>Werte durch Kommas trennen: 1, 2.5, 3; Bereiche wie 0..4; Paare wie 64x48; Wörter wie auto. Längen in der Einheit der Szene.</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Field</source>
             <translation>Feld</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Second field</source>
             <translation>Zweites Feld</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Values of {field}</source>
             <translation>Werte von {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>none</source>
             <translation>ohne</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>now {value}</source>
             <translation>jetzt {value}</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error over the values</source>
             <translation>Geprüfter Fehler über den Werten</translation>
         </message>
@@ -1982,6 +1982,11 @@
             <location filename="../../ui/document/document.py" />
             <source>revert to the file</source>
             <translation>zur Datei zurückkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/frame.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Bild {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -3264,49 +3269,64 @@
             <translation>Bild {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Regions</source>
+            <translation>Bereiche</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Duplicate</source>
-            <translation>Duplizieren</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>region</source>
+            <translation>Ausschnitt</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Remove</source>
-            <translation>Entfernen</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a region in the middle</source>
+            <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Up</source>
-            <translation>Auf</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a copy of the selected region</source>
+            <translation>Eine Kopie des gewählten Ausschnitts dahinter hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Down</source>
-            <translation>Ab</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Remove the selected region</source>
+            <translation>Den gewählten Ausschnitt entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>new {part}</source>
-            <translation>Neu: {part}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected region up</source>
+            <translation>Den gewählten Ausschnitt nach oben</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>copy of {part} {number}</source>
-            <translation>Kopie von {part} {number}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected region down</source>
+            <translation>Den gewählten Ausschnitt nach unten</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>removal of {part} {number}</source>
-            <translation>{part} {number} entfernen</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>None.</source>
+            <translation>Keine.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>move of {part} {number}</source>
-            <translation>{part} {number} verschieben</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {count}</source>
+            <translation>Ausschnitt {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {number}</source>
+            <translation>Ausschnitt {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>In der Form x, y; x, y; …</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3314,64 +3334,49 @@
             <translation>{panel}, {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Regions</source>
-            <translation>Bereiche</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>region</source>
-            <translation>Ausschnitt</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Duplicate</source>
+            <translation>Duplizieren</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Add a region in the middle</source>
-            <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Remove</source>
+            <translation>Entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Add a copy of the selected region</source>
-            <translation>Eine Kopie des gewählten Ausschnitts dahinter hinzufügen</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Up</source>
+            <translation>Auf</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Remove the selected region</source>
-            <translation>Den gewählten Ausschnitt entfernen</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Down</source>
+            <translation>Ab</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Move the selected region up</source>
-            <translation>Den gewählten Ausschnitt nach oben</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>new {part}</source>
+            <translation>Neu: {part}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Move the selected region down</source>
-            <translation>Den gewählten Ausschnitt nach unten</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>copy of {part} {number}</source>
+            <translation>Kopie von {part} {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>None.</source>
-            <translation>Keine.</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>removal of {part} {number}</source>
+            <translation>{part} {number} entfernen</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Region {count}</source>
-            <translation>Ausschnitt {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Region {number}</source>
-            <translation>Ausschnitt {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Shape</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>As x, y; x, y; …</source>
-            <translation>In der Form x, y; x, y; …</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>move of {part} {number}</source>
+            <translation>{part} {number} verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/panels/rows.py" />
@@ -3382,96 +3387,6 @@
             <location filename="../../ui/panels/rows.py" />
             <source>Choose a file</source>
             <translation>Datei wählen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
-            <translation>Zahl der optimierten Parameter und ihr Speicher mit Gradient und Zustand des Optimierers. Ein Netz, das nicht in den Speicher passt, wird beim Start abgelehnt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Parameters</source>
-            <translation>Parameter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>1 iteration</source>
-            <translation>1 Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{count} iterations</source>
-            <translation>{count} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>As the scene</source>
-            <translation>Wie die Szene</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
-            <translation>Stufen, die ein Lauf vor der Szene selbst durchläuft; jede setzt von der Linse der vorigen fort. Beispiel: eine Punktquelle vor einer ausgedehnten oder ein grobes Netz vor einem feinen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stages</source>
-            <translation>Stufen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>stage</source>
-            <translation>Stufe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Add a stage behind the others</source>
-            <translation>Eine Stufe hinter den anderen hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Add a copy of the selected stage</source>
-            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Remove the selected stage</source>
-            <translation>Die gewählte Stufe entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Run the selected stage earlier</source>
-            <translation>Die gewählte Stufe früher ausführen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Run the selected stage later</source>
-            <translation>Die gewählte Stufe später ausführen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Then the scene itself: {iterations}.</source>
-            <translation>Danach die Szene selbst: {iterations}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>net of {n_u} × {n_v}</source>
-            <translation>Netz aus {n_u} × {n_v}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{kind} filter</source>
-            <translation>Filter: {kind}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stage {number}</source>
-            <translation>Stufe {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3494,39 +3409,94 @@
             <translation>Lichtdatei ändern</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>check</source>
-            <translation>Prüfung</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
+            <translation>Zahl der optimierten Parameter und ihr Speicher mit Gradient und Zustand des Optimierers. Ein Netz, das nicht in den Speicher passt, wird beim Start abgelehnt.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>The image is still being computed. Try again in a moment.</source>
-            <translation>Das Bild wird noch berechnet. Gleich noch einmal versuchen.</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Parameters</source>
+            <translation>Parameter</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>checking…</source>
-            <translation>Prüfung läuft …</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>1 iteration</source>
+            <translation>1 Iteration</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>Prüfung läuft … {part:.0f} %</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>{count} iterations</source>
+            <translation>{count} Iterationen</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Check failed</source>
-            <translation>Prüfung fehlgeschlagen</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>As the scene</source>
+            <translation>Wie die Szene</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Verified error {verified}</source>
-            <translation>Geprüfter Fehler {verified}</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
+            <translation>Stufen, die ein Lauf vor der Szene selbst durchläuft; jede setzt von der Linse der vorigen fort. Beispiel: eine Punktquelle vor einer ausgedehnten oder ein grobes Netz vor einem feinen.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
-            <translation>Prüfung mit {rays:,} Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit Strahlrauschen {relative_l2:.2f} ± {noise:.2f} %, Verlust {loss}; {efficiency:.1f} % {place}</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stages</source>
+            <translation>Stufen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>stage</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Eine Stufe hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add a copy of the selected stage</source>
+            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Remove the selected stage</source>
+            <translation>Die gewählte Stufe entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Run the selected stage earlier</source>
+            <translation>Die gewählte Stufe früher ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Run the selected stage later</source>
+            <translation>Die gewählte Stufe später ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Danach die Szene selbst: {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>Netz aus {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>{kind} filter</source>
+            <translation>Filter: {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stage {number}</source>
+            <translation>Stufe {number}</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3809,6 +3779,66 @@
             <translation> Veraltete Kennzahlen: der Entwurf hat sich geändert.</translation>
         </message>
         <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>check</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>The image is still being computed. Try again in a moment.</source>
+            <translation>Das Bild wird noch berechnet. Gleich noch einmal versuchen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>checking…</source>
+            <translation>Prüfung läuft …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>Prüfung läuft … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Check failed</source>
+            <translation>Prüfung fehlgeschlagen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Verified error {verified}</source>
+            <translation>Geprüfter Fehler {verified}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Prüfung mit {rays:,} Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit Strahlrauschen {relative_l2:.2f} ± {noise:.2f} %, Verlust {loss}; {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>check of the run</source>
+            <translation>Prüfung des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Verified error {error} at iteration {iteration}</source>
+            <translation>Geprüfter Fehler {error} bei Iteration {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>bound</source>
+            <translation>Schranke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>lower bound {error}</source>
+            <translation>untere Schranke {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
+            <translation>Bewiesene untere Schranke des relativen L2-Fehlers: {bound}; {error} mit einer Quelle halber Breite. Einzelheiten: freeform bound.</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/comparison.py" />
             <source>The scenes are the same</source>
             <translation>Die Szenen sind gleich</translation>
@@ -3842,6 +3872,11 @@
             <location filename="../../ui/run/comparison.py" />
             <source>Value under the pointer</source>
             <translation>Wert unter dem Zeiger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Irradiance of both runs</source>
+            <translation>Bestrahlungsstärke beider Läufe</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3992,31 +4027,6 @@
             <location filename="../../ui/run/log.py" />
             <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss}, {efficiency:.1f} % {place}</source>
             <translation>Lauf beendet{why} nach Iteration {iteration} von {iterations}, {clock}: letzte Zielfunktion {loss}, {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>check of the run</source>
-            <translation>Prüfung des Laufs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>Verified error {error} at iteration {iteration}</source>
-            <translation>Geprüfter Fehler {error} bei Iteration {iteration}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>bound</source>
-            <translation>Schranke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>lower bound {error}</source>
-            <translation>untere Schranke {error}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
-            <translation>Bewiesene untere Schranke des relativen L2-Fehlers: {bound}; {error} mit einer Quelle halber Breite. Einzelheiten: freeform bound.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4277,11 +4287,6 @@
             <location filename="../../ui/run/table.py" />
             <source>A name has at most {count} characters</source>
             <translation>Ein Name hat höchstens {count} Zeichen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/shown/frame.py" />
-            <source>Image {number}, {place}</source>
-            <translation>Bild {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/unexpected_errors.py" />
@@ -4685,6 +4690,91 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
 {tip}</translation>
         </message>
         <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>as designed</source>
+            <translation>wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>lenses up to there</source>
+            <translation>Linsen bis dorthin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>z of the screen</source>
+            <translation>z des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>Second minus first</source>
+            <translation>Zweites minus erstes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>The receivers differ: no difference image.</source>
+            <translation>Die Empfänger sind verschieden: kein Differenzbild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>iteration</source>
+            <translation>Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>loss</source>
+            <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>this run</source>
+            <translation>dieser Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>verified</source>
+            <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>irradiance</source>
+            <translation>Bestrahlungsstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>intensity</source>
+            <translation>Strahlstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>flux / {unit}</source>
+            <translation>Fluss / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} bei {place}</translation>
+        </message>
+        <message>
             <location filename="../../ui/widgets/labels.py" />
             <source>Outdated: the design has changed</source>
             <translation>Veraltet: der Entwurf hat sich geändert</translation>
@@ -4700,89 +4790,39 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Hier stehen Meldungen von Läufen, Prüfungen und Exporten.</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>as designed</source>
-            <translation>wie entworfen</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Loading the 3D scene…</source>
+            <translation>3D-Szene wird geladen …</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>lenses up to there</source>
-            <translation>Linsen bis dorthin</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>As opened</source>
+            <translation>Wie geöffnet</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>z of the screen</source>
-            <translation>z des Schirms</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Click a step to restore it</source>
+            <translation>Schritt anklicken, um ihn wiederherzustellen</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>Second minus first</source>
-            <translation>Zweites minus erstes</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Loading…</source>
+            <translation>Lädt …</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>The receivers differ: no difference image.</source>
-            <translation>Die Empfänger sind verschieden: kein Differenzbild.</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
+            <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie wieder.</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>iteration</source>
-            <translation>Iteration</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
+            <translation>Der Lauf wartet auf das Übersetzen seiner Kernel (einmal nach der Installation, eine halbe Minute)</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>distance</source>
-            <translation>Abstand</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>loss</source>
-            <translation>Zielfunktion</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>this run</source>
-            <translation>dieser Lauf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>verified</source>
-            <translation>geprüft</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>irradiance</source>
-            <translation>Bestrahlungsstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>intensity</source>
-            <translation>Strahlstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>flux / {unit}</source>
-            <translation>Fluss / {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>{axis} at {place}</source>
-            <translation>{axis} bei {place}</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Die Ansicht ({what}) dieses Entwurfs lässt sich nicht wiederherstellen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4913,11 +4953,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/edit_notices.py" />
             <source>change of unit alone</source>
             <translation>nur die Einheit ändern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/layout.py" />
-            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
-            <translation>Die Ansicht ({what}) dieses Entwurfs lässt sich nicht wiederherstellen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5081,11 +5116,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Loading…</source>
-            <translation>Lädt …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/window_state.py" />
             <source>Ready</source>
             <translation>Bereit</translation>
         </message>
@@ -5128,31 +5158,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/window_state.py" />
             <source>Stopped; {command} ({keys}) improves the mirror</source>
             <translation>Angehalten; {command} ({keys}) verbessert den Spiegel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>Loading the 3D scene…</source>
-            <translation>3D-Szene wird geladen …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>As opened</source>
-            <translation>Wie geöffnet</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>Click a step to restore it</source>
-            <translation>Schritt anklicken, um ihn wiederherzustellen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
-            <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie wieder.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
-            <translation>Der Lauf wartet auf das Übersetzen seiner Kernel (einmal nach der Installation, eine halbe Minute)</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />

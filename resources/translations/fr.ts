@@ -1539,7 +1539,7 @@
             <translation>Barre d'outils</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/choices.py" />
+            <location filename="../../ui/commands/actions.py" />
             <source>The language changes at the next start.</source>
             <translation>La langue change au prochain démarrage.</translation>
         </message>
@@ -1607,6 +1607,41 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, à l'échelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>estimate</source>
+            <translation>estimation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Best possible image</source>
+            <translation>Meilleure image possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>The source size blurs the image of any lens</source>
+            <translation>La taille de la source rend floue l'image de toute lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Best possible</source>
+            <translation>Au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Computing the estimate…</source>
+            <translation>Calcul de l'estimation…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Outdated figures.</source>
+            <translation>Chiffres obsolètes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Estimation… {part:.0f} %</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/gallery.py" />
@@ -1677,41 +1712,6 @@
             <location filename="../../ui/dialogs/job_form.py" />
             <source>file of light</source>
             <translation>fichier de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>estimate</source>
-            <translation>estimation</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Best possible image</source>
-            <translation>Meilleure image possible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>The source size blurs the image of any lens</source>
-            <translation>La taille de la source rend floue l'image de toute lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Best possible</source>
-            <translation>Au mieux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Computing the estimate…</source>
-            <translation>Calcul de l'estimation…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Outdated figures.</source>
-            <translation>Chiffres obsolètes.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/outlook.py" />
-            <source>Estimating… {part:.0f} %</source>
-            <translation>Estimation… {part:.0f} %</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
@@ -1795,6 +1795,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>Designs of the sweep</source>
+            <translation>Conceptions de la série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Start</source>
             <translation>Démarrer</translation>
         </message>
@@ -1840,41 +1845,36 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>Designs of the sweep</source>
-            <translation>Conceptions de la série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
             <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
             <translation>Séparer les valeurs par des virgules : 1, 2.5, 3 ; plages comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Field</source>
             <translation>Champ</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Second field</source>
             <translation>Second champ</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Values of {field}</source>
             <translation>Valeurs de {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>none</source>
             <translation>sans</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>now {value}</source>
             <translation>actuellement {value}</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/sweep_form.py" />
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error over the values</source>
             <translation>Erreur vérifiée selon les valeurs</translation>
         </message>
@@ -1982,6 +1982,11 @@
             <location filename="../../ui/document/document.py" />
             <source>revert to the file</source>
             <translation>retour au fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/frame.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Image {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -3264,49 +3269,64 @@
             <translation>Image {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Add</source>
-            <translation>Ajouter</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Regions</source>
+            <translation>Régions</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Duplicate</source>
-            <translation>Dupliquer</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>region</source>
+            <translation>région</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Remove</source>
-            <translation>Retirer</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a region in the middle</source>
+            <translation>Ajouter une région au milieu</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Up</source>
-            <translation>Monter</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add a copy of the selected region</source>
+            <translation>Ajouter une copie de la région choisie après elle</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>Down</source>
-            <translation>Descendre</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Remove the selected region</source>
+            <translation>Retirer la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>new {part}</source>
-            <translation>nouveau : {part}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected region up</source>
+            <translation>Monter la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>copy of {part} {number}</source>
-            <translation>copie : {part} {number}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Move the selected region down</source>
+            <translation>Descendre la région choisie</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>removal of {part} {number}</source>
-            <translation>retrait : {part} {number}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>None.</source>
+            <translation>Aucune.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lists.py" />
-            <source>move of {part} {number}</source>
-            <translation>déplacement : {part} {number}</translation>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {count}</source>
+            <translation>Région {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {number}</source>
+            <translation>Région {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Shape</source>
+            <translation>Forme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>Sous la forme x, y; x, y; …</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3314,64 +3334,49 @@
             <translation>{panel}, {field}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Regions</source>
-            <translation>Régions</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Add</source>
+            <translation>Ajouter</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>region</source>
-            <translation>région</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Duplicate</source>
+            <translation>Dupliquer</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Add a region in the middle</source>
-            <translation>Ajouter une région au milieu</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Remove</source>
+            <translation>Retirer</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Add a copy of the selected region</source>
-            <translation>Ajouter une copie de la région choisie après elle</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Up</source>
+            <translation>Monter</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Remove the selected region</source>
-            <translation>Retirer la région choisie</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Down</source>
+            <translation>Descendre</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Move the selected region up</source>
-            <translation>Monter la région choisie</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>new {part}</source>
+            <translation>nouveau : {part}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Move the selected region down</source>
-            <translation>Descendre la région choisie</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>copy of {part} {number}</source>
+            <translation>copie : {part} {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>None.</source>
-            <translation>Aucune.</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>removal of {part} {number}</source>
+            <translation>retrait : {part} {number}</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Region {count}</source>
-            <translation>Région {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Region {number}</source>
-            <translation>Région {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>Shape</source>
-            <translation>Forme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/regions.py" />
-            <source>As x, y; x, y; …</source>
-            <translation>Sous la forme x, y; x, y; …</translation>
+            <location filename="../../ui/panels/panel.py" />
+            <source>move of {part} {number}</source>
+            <translation>déplacement : {part} {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/rows.py" />
@@ -3382,96 +3387,6 @@
             <location filename="../../ui/panels/rows.py" />
             <source>Choose a file</source>
             <translation>Choisir un fichier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
-            <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l'optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Parameters</source>
-            <translation>Paramètres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>1 iteration</source>
-            <translation>1 itération</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{count} iterations</source>
-            <translation>{count} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>As the scene</source>
-            <translation>Comme la scène</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
-            <translation>Étapes qu'une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stages</source>
-            <translation>Étapes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>stage</source>
-            <translation>étape</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Add a stage behind the others</source>
-            <translation>Ajouter une étape après les autres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Add a copy of the selected stage</source>
-            <translation>Ajouter une copie de l'étape choisie après elle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Remove the selected stage</source>
-            <translation>Retirer l'étape choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Run the selected stage earlier</source>
-            <translation>Exécuter plus tôt l'étape choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Run the selected stage later</source>
-            <translation>Exécuter plus tard l'étape choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Then the scene itself: {iterations}.</source>
-            <translation>Puis la scène elle-même : {iterations}.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>net of {n_u} × {n_v}</source>
-            <translation>réseau de {n_u} × {n_v}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>{kind} filter</source>
-            <translation>filtre : {kind}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/run.py" />
-            <source>Stage {number}</source>
-            <translation>Étape {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3494,39 +3409,94 @@
             <translation>changement de fichier de lumière</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>check</source>
-            <translation>vérification</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
+            <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l'optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>The image is still being computed. Try again in a moment.</source>
-            <translation>L'image est en cours de calcul. Réessayez dans un instant.</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Parameters</source>
+            <translation>Paramètres</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>checking…</source>
-            <translation>vérification en cours…</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>1 iteration</source>
+            <translation>1 itération</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>vérification… {part:.0f} %</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>{count} iterations</source>
+            <translation>{count} itérations</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Check failed</source>
-            <translation>Échec de la vérification</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>As the scene</source>
+            <translation>Comme la scène</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Verified error {verified}</source>
-            <translation>Erreur vérifiée {verified}</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
+            <translation>Étapes qu'une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
         </message>
         <message>
-            <location filename="../../ui/run/check.py" />
-            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
-            <translation>Vérification avec {rays:,} rayons : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec le bruit des rayons {relative_l2:.2f} ± {noise:.2f} %, perte {loss} ; {efficiency:.1f} % {place}</translation>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stages</source>
+            <translation>Étapes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>stage</source>
+            <translation>étape</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Ajouter une étape après les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add a copy of the selected stage</source>
+            <translation>Ajouter une copie de l'étape choisie après elle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Remove the selected stage</source>
+            <translation>Retirer l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Run the selected stage earlier</source>
+            <translation>Exécuter plus tôt l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Run the selected stage later</source>
+            <translation>Exécuter plus tard l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Then the scene itself: {iterations}.</source>
+            <translation>Puis la scène elle-même : {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>réseau de {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>{kind} filter</source>
+            <translation>filtre : {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stage {number}</source>
+            <translation>Étape {number}</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3809,6 +3779,66 @@
             <translation> Chiffres obsolètes : la conception a changé.</translation>
         </message>
         <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>check</source>
+            <translation>vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>The image is still being computed. Try again in a moment.</source>
+            <translation>L'image est en cours de calcul. Réessayez dans un instant.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>checking…</source>
+            <translation>vérification en cours…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>vérification… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Check failed</source>
+            <translation>Échec de la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Verified error {verified}</source>
+            <translation>Erreur vérifiée {verified}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Vérification avec {rays:,} rayons : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec le bruit des rayons {relative_l2:.2f} ± {noise:.2f} %, perte {loss} ; {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>check of the run</source>
+            <translation>vérification de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Verified error {error} at iteration {iteration}</source>
+            <translation>Erreur vérifiée {error} à l'itération {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>bound</source>
+            <translation>borne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>lower bound {error}</source>
+            <translation>borne inférieure {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
+            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
+            <translation>Borne inférieure certifiée de l'erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/comparison.py" />
             <source>The scenes are the same</source>
             <translation>Les scènes sont identiques</translation>
@@ -3842,6 +3872,11 @@
             <location filename="../../ui/run/comparison.py" />
             <source>Value under the pointer</source>
             <translation>Valeur sous le pointeur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Irradiance of both runs</source>
+            <translation>Éclairement des deux essais</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
@@ -3992,31 +4027,6 @@
             <location filename="../../ui/run/log.py" />
             <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss}, {efficiency:.1f} % {place}</source>
             <translation>Exécution terminée{why} après l'itération {iteration} sur {iterations}, {clock} : dernier coût {loss}, {efficiency:.1f} % {place}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>check of the run</source>
-            <translation>vérification de l'exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>Verified error {error} at iteration {iteration}</source>
-            <translation>Erreur vérifiée {error} à l'itération {iteration}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>bound</source>
-            <translation>borne</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>lower bound {error}</source>
-            <translation>borne inférieure {error}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/run_check.py" />
-            <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
-            <translation>Borne inférieure certifiée de l'erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -4277,11 +4287,6 @@
             <location filename="../../ui/run/table.py" />
             <source>A name has at most {count} characters</source>
             <translation>Un nom a au plus {count} caractères</translation>
-        </message>
-        <message>
-            <location filename="../../ui/shown/frame.py" />
-            <source>Image {number}, {place}</source>
-            <translation>Image {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/unexpected_errors.py" />
@@ -4685,6 +4690,91 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
 {tip}</translation>
         </message>
         <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>as designed</source>
+            <translation>comme conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>lenses up to there</source>
+            <translation>lentilles jusque-là</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>z of the screen</source>
+            <translation>z de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>Second minus first</source>
+            <translation>Second moins premier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>The receivers differ: no difference image.</source>
+            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>iteration</source>
+            <translation>itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>time</source>
+            <translation>temps</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>distance</source>
+            <translation>distance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>loss</source>
+            <translation>coût</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>this run</source>
+            <translation>cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>verified</source>
+            <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>target</source>
+            <translation>cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>irradiance</source>
+            <translation>éclairement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>intensity</source>
+            <translation>intensité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>error</source>
+            <translation>erreur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>flux / {unit}</source>
+            <translation>flux / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/figures.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} à {place}</translation>
+        </message>
+        <message>
             <location filename="../../ui/widgets/labels.py" />
             <source>Outdated: the design has changed</source>
             <translation>Obsolète : la conception a changé</translation>
@@ -4700,89 +4790,39 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>Les messages des exécutions, vérifications et exports apparaissent ici.</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>as designed</source>
-            <translation>comme conçu</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Loading the 3D scene…</source>
+            <translation>Chargement de la scène 3D…</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>lenses up to there</source>
-            <translation>lentilles jusque-là</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>As opened</source>
+            <translation>Comme ouvert</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>z of the screen</source>
-            <translation>z de l'écran</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Click a step to restore it</source>
+            <translation>Cliquez une étape pour la rétablir</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>Second minus first</source>
-            <translation>Second moins premier</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>Loading…</source>
+            <translation>Chargement…</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>The receivers differ: no difference image.</source>
-            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
+            <translation>La scène 3D est cachée. Affichage &gt; Scène 3D la remontre.</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>iteration</source>
-            <translation>itération</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
+            <translation>L'exécution attend la compilation de ses noyaux (une fois après l'installation, une demi-minute)</translation>
         </message>
         <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>time</source>
-            <translation>temps</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>distance</source>
-            <translation>distance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>loss</source>
-            <translation>coût</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>this run</source>
-            <translation>cette exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>verified</source>
-            <translation>vérifié</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>target</source>
-            <translation>cible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>irradiance</source>
-            <translation>éclairement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>intensity</source>
-            <translation>intensité</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>error</source>
-            <translation>erreur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>flux / {unit}</source>
-            <translation>flux / {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/plot_words.py" />
-            <source>{axis} at {place}</source>
-            <translation>{axis} à {place}</translation>
+            <location filename="../../ui/window/docks.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4913,11 +4953,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/edit_notices.py" />
             <source>change of unit alone</source>
             <translation>changement d'unité seul</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/layout.py" />
-            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
-            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5081,11 +5116,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
-            <source>Loading…</source>
-            <translation>Chargement…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/window_state.py" />
             <source>Ready</source>
             <translation>Prêt</translation>
         </message>
@@ -5128,31 +5158,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/window_state.py" />
             <source>Stopped; {command} ({keys}) improves the mirror</source>
             <translation>Arrêté ; {command} ({keys}) améliore le miroir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>Loading the 3D scene…</source>
-            <translation>Chargement de la scène 3D…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>As opened</source>
-            <translation>Comme ouvert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>Click a step to restore it</source>
-            <translation>Cliquez une étape pour la rétablir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
-            <translation>La scène 3D est cachée. Affichage &gt; Scène 3D la remontre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/workspace.py" />
-            <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
-            <translation>L'exécution attend la compilation de ses noyaux (une fois après l'installation, une demi-minute)</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
