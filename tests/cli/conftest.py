@@ -2,12 +2,14 @@ import json
 import logging
 import math
 
+import numpy as np
 import pytest
 
-from tests.accounts import account_of
+from tests.accounts import account_of, result_of
 from workbench.cli import main
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Snapshot
+from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
 
@@ -26,6 +28,15 @@ def scene_file(tmp_path, scene_data):
 @pytest.fixture
 def out(tmp_path):
     return tmp_path / "lens.freeform"
+
+
+@pytest.fixture
+def lens(make_scene, tmp_path):
+    """A session with a flat lens."""
+    path = tmp_path / "lens.freeform"
+    result = result_of(np.full((12, 10), 0.5))
+    write_session(Session(make_scene(), np.ones((32, 32)), result), path)
+    return path
 
 
 @pytest.fixture

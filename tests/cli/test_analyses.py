@@ -6,11 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
+from tests.accounts import result_of
 from workbench.files.session import Session, write_session
-from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
@@ -46,25 +43,8 @@ def bowl(make_scene, tmp_path):
     x, _ = ControlNet.of(scene.optic).positions
     heights = 0.5 + 0.2 * x[:, None] ** 2 + np.zeros((12, 10))
     image = np.ones((32, 32))
-    account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     path = tmp_path / "bowl.freeform"
-    write_session(
-        Session(
-            scene,
-            image,
-            Result(
-                LensState(
-                    heights=FaceArrays({"lens.back": heights}),
-                    irradiance=image,
-                    loss=1,
-                    account=account,
-                ),
-                losses=np.ones(1),
-                seconds=1,
-            ),
-        ),
-        path,
-    )
+    write_session(Session(scene, image, result_of(heights, image)), path)
     return path
 
 

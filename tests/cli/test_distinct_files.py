@@ -8,12 +8,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
-from workbench.files.session import Session, write_session
-from workbench.geometry.faces import FaceArrays
-
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
@@ -37,24 +31,9 @@ def scene(folder, scene_data, picture):
 
 
 @pytest.fixture
-def session(folder, make_scene):
+def session(folder, lens):
     """A session with a flat lens."""
-    path = Path("lens.freeform")
-    write_session(Session(make_scene(), np.ones((32, 32)), result()), path)
-    return path
-
-
-def result():
-    return Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}),
-            irradiance=np.ones((32, 32)),
-            loss=0.1,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-        ),
-        losses=np.zeros(1),
-        seconds=1.0,
-    )
+    return lens.relative_to(folder)
 
 
 @pytest.fixture

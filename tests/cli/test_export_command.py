@@ -1,28 +1,15 @@
-import numpy as np
 import pytest
 import trimesh
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
+from tests.accounts import result_of
 from workbench.files.session import Session, write_session
-from workbench.geometry.faces import FaceArrays
 
 
 @pytest.fixture
 def lens(make_scene, rng, tmp_path):
     """A session with a wavy lens."""
     scene = make_scene()
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": 0.5 + 0.02 * rng.random((12, 10))}),
-            irradiance=rng.random((32, 32)),
-            loss=0.1,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-        ),
-        losses=np.zeros(1),
-        seconds=1.0,
-    )
+    result = result_of(0.5 + 0.02 * rng.random((12, 10)), rng.random((32, 32)))
     path = tmp_path / "lens.freeform"
     write_session(Session(scene, rng.random((32, 32)), result), path)
     return path

@@ -1,32 +1,6 @@
 import json
 
-import numpy as np
 import pytest
-
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
-from workbench.files.session import Session, write_session
-from workbench.geometry.faces import FaceArrays
-
-
-@pytest.fixture
-def lens(make_scene, tmp_path):
-    account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
-    flat = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}),
-            irradiance=np.ones((32, 32)),
-            loss=0.1,
-            account=account,
-        ),
-        losses=np.zeros(1),
-        seconds=1.0,
-    )
-    path = tmp_path / "lens.freeform"
-    write_session(Session(make_scene(), np.ones((32, 32)), flat), path)
-    return path
-
 
 FEW = ("--rays", 20_000)
 

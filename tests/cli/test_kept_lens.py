@@ -3,7 +3,6 @@
 import errno
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -183,21 +182,3 @@ class TestCheckpoint:
             process.communicate()
         assert read_session(left).result.iterations >= 0
         assert not out.exists()
-
-
-def test_sigterm_ends_the_program_with_143_and_the_best_lens(endless, out):
-    freeform = Path(sys.executable).with_name("freeform")
-    with subprocess.Popen(
-        [freeform, "design", endless, "-o", out],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        begun = next(line for line in process.stderr if "compiling" not in line)
-        assert re.match(r"0/1000000  loss ", begun)
-        process.terminate()
-        stderr = process.communicate(timeout=60)[1]
-    assert process.returncode == 143
-    done = read_session(out).result.iterations
-    lens = "the best lens so far" if done else "the lens before its first iteration"
-    assert stderr.splitlines()[-1] == f"freeform: interrupted; {lens} is in {out}"

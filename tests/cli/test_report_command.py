@@ -13,14 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
+from tests.accounts import result_of
 from tests.scenes import changed
 from workbench.cli import main
-from workbench.design.lens_state import LensState
 from workbench.design.session import VerifiedError
-from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
-from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -45,18 +42,8 @@ def wavy(tmp_path_factory):
     folder = tmp_path_factory.mktemp("wavy")
     scene = Scene.from_data(changed({}))
     target = load_target(scene, folder)
-    result = Result(
-        LensState(
-            heights=FaceArrays(
-                {"lens.back": 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)}
-            ),
-            irradiance=np.ones((32, 32)),
-            loss=0.1,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-        ),
-        losses=np.array([0.3, 0.2, 0.1]),
-        seconds=1.0,
-    )
+    waves = 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)
+    result = result_of(waves, losses=[0.3, 0.2, 0.1])
     checked = VerifiedError(0.0625, (0.06, 0.065))
     kept = KeptRun("first <try>", scene, target, result, checked)
     path = folder / "a <b> & 'c'.freeform"

@@ -5,14 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
-
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
-from workbench.files.session import Session, write_session
-from workbench.geometry.faces import FaceArrays
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 BROKEN = "| true"  # which reads nothing and is gone before the program has begun
@@ -27,24 +20,6 @@ def shell(command, folder="."):
         env={**os.environ, "PYTHONUNBUFFERED": ""},
         cwd=folder,
     )
-
-
-@pytest.fixture
-def lens(make_scene, tmp_path):
-    """A session with a flat lens."""
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}),
-            irradiance=np.ones((32, 32)),
-            loss=0.1,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-        ),
-        losses=np.zeros(1),
-        seconds=1.0,
-    )
-    path = tmp_path / "lens.freeform"
-    write_session(Session(make_scene(), np.ones((32, 32)), result), path)
-    return path
 
 
 @pytest.mark.parametrize("command", ['"$1" --help', '"$1" design --help', '"$1" --version'])

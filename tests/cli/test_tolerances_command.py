@@ -2,31 +2,6 @@ import json
 
 import pytest
 
-from workbench.design.run import run
-from workbench.design.snapshot import History
-from workbench.files.session import Session, write_session
-from workbench.targets import load_target
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    return tmp_path_factory.mktemp("lens")
-
-
-@pytest.fixture
-def lens(make_scene, folder):
-    """A session with the undesigned lens, which is flat."""
-    path = folder / "lens.freeform"
-    if not path.exists():
-        scene = make_scene({"run.iterations": 0})
-        target = load_target(scene, folder)
-        history = History()
-        for snapshot in run(scene, target):
-            history.add(snapshot)
-        write_session(Session(scene, target, history.result()), path)
-    return path
-
-
 FEW = ("--samples", 4, "--rays", 10_000)
 
 

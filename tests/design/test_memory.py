@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 import torch
 
+from tests.benchmarks.kernels import wavy
 from tests.scenes import changed
-from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
 from workbench.design.levels import FINE, cells_of, image_of
 from workbench.design.memory import auto_memory, check_auto

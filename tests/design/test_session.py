@@ -5,11 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
+from tests.accounts import result_of
 from workbench.design.limits import Shortfall
 from workbench.design.session import Session
-from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 from workbench.geometry.surface import ControlNet
@@ -20,15 +18,8 @@ from workbench.scene.paths import with_values
 def session(make_scene, rng):
     scene = make_scene()
     n_x, n_y = scene.receiver.pixels
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": 0.5 + 0.01 * rng.normal(size=scene.optic.net_shape)}),
-            irradiance=np.ones((n_y, n_x)),
-            loss=1.0,
-            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
-        ),
-        losses=np.array([2.0, 1.0]),
-        seconds=0.5,
+    result = result_of(
+        0.5 + 0.01 * rng.normal(size=scene.optic.net_shape), losses=[2.0, 1.0], seconds=0.5
     )
     return Session(scene, np.ones((n_y, n_x)), result)
 

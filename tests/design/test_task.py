@@ -8,16 +8,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.accounts import account_of
+from tests.accounts import result_of
 from tests.lamps import PLATE, downlight
 from workbench.design.checks import check_stages, grazed
-from workbench.design.lens_state import LensState
 from workbench.design.run import run
 from workbench.design.session import KeptRun, Session
-from workbench.design.snapshot import Result
 from workbench.design.task import begin, origin, with_task
 from workbench.errors import Refused
-from workbench.geometry.faces import FaceArrays
 from workbench.messages import Message
 
 
@@ -83,16 +80,7 @@ def task(make_scene):
 @pytest.fixture
 def designed(task):
     """A design whose lens is that of its only kept run."""
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.full(task.scene.optic.net_shape, 0.5)}),
-            irradiance=task.target,
-            loss=1.0,
-            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
-        ),
-        losses=np.array([2.0, 1.0]),
-        seconds=0.5,
-    )
+    result = result_of(np.full(task.scene.optic.net_shape, 0.5), task.target)
     return replace(task, result=result, runs=(KeptRun("Run 1", task.scene, task.target, result),))
 
 

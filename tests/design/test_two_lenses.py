@@ -21,7 +21,7 @@ FACES = [{"shape": "plane"}, {"shape": "bspline", "control_points": [24, 20]}]
 LENS = {"kind": "lens", "material": {"index": 1.49}, "thickness": 4, "min_thickness": 1}
 DATA = {
     "version": 3,
-    "source": {"kind": "collimated"},
+    "source": {"kind": "collimated", "rays": [128, 128]},
     "elements": [
         LENS | {"name": "first", "half_width": [10, 8], "faces": FACES},
         LENS | {"name": "second", "half_width": [16, 13], "faces": FACES, "position": [0, 0, 20]},

@@ -9,10 +9,8 @@ from random import Random
 
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
+from tests.accounts import result_of
 from workbench.design.session import KeptRun, Session
-from workbench.design.snapshot import Result
 from workbench.files.export.write import export
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
@@ -24,16 +22,8 @@ EXPORTS = ("lens.stl", "lens.obj", "lens.glb", "lens.height.npy", "lens.irradian
 def make_session(make_scene, rng):
     def make(net, pixels, kept):
         scene = make_scene({"lens.control_points": [net, net], "screen.pixels": [pixels, pixels]})
-        result = Result(
-            LensState(
-                heights=FaceArrays({"lens.back": 0.5 + 0.01 * rng.random((net, net))}),
-                irradiance=rng.random((pixels, pixels)),
-                loss=0.25,
-                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-            ),
-            losses=rng.random(300),
-            seconds=2.0,
-        )
+        heights = 0.5 + 0.01 * rng.random((net, net))
+        result = result_of(heights, rng.random((pixels, pixels)), rng.random(300))
         target = rng.random((pixels, pixels))
         runs = tuple(KeptRun(f"run {k}", scene, target, result) for k in range(kept))
         return Session(scene, target, result, runs=runs)

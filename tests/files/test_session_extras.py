@@ -7,10 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
+from tests.accounts import result_of
 from workbench.design.session import KeptRun, Session, VerifiedError
-from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
@@ -22,16 +20,7 @@ VIEW = {"camera": [1.5, None, True], "docks": {"state": "AAAA"}, "map": "viridis
 def make_run(make_scene, rng):
     def make(name, net=(5, 4), pixels=(7, 6), losses=8):
         scene = make_scene({"lens.control_points": list(net), "screen.pixels": list(pixels)})
-        result = Result(
-            LensState(
-                heights=FaceArrays({"lens.back": rng.random(net)}),
-                irradiance=rng.random(pixels[::-1]),
-                loss=0.25,
-                account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-            ),
-            losses=rng.random(losses),
-            seconds=2.0,
-        )
+        result = result_of(rng.random(net), rng.random(pixels[::-1]), rng.random(losses))
         return KeptRun(name, scene, rng.random(pixels[::-1]), result)
 
     return make

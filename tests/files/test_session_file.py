@@ -7,13 +7,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.accounts import account_of
+from tests.accounts import account_of, result_of
 from workbench import __version__
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session, open_design, read_session, write_session
-from workbench.geometry.faces import FaceArrays
 
 TARGET, FACE = "images/0/target.npy", "faces/lens.back.npy"
 ARRAYS = [TARGET, FACE, "images/0/irradiance.npy", "loss.npy"]
@@ -22,15 +19,9 @@ ARRAYS = [TARGET, FACE, "images/0/irradiance.npy", "loss.npy"]
 @pytest.fixture
 def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": rng.random((5, 4))}),
-            irradiance=rng.random((6, 7)) / 3,
-            loss=1 / 3,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
-        ),
-        losses=rng.random(8),
-        seconds=2.1,
+    account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17)
+    result = result_of(
+        rng.random((5, 4)), rng.random((6, 7)) / 3, rng.random(8), 2.1, 1 / 3, account
     )
     return Session(scene, rng.random((6, 7)), result)
 

@@ -5,30 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
+from tests.accounts import result_of
 from workbench.design.session import KeptRun, Session
-from workbench.design.snapshot import IN_VAIN, SLOW, Result, has_converged
+from workbench.design.snapshot import IN_VAIN, SLOW, has_converged
 from workbench.files.session import read_session, write_session
-from workbench.geometry.faces import FaceArrays
 from workbench.messages import Message
 
 
 @pytest.fixture
 def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
-    result = Result(
-        LensState(
-            heights=FaceArrays({"lens.back": rng.random((5, 4))}),
-            irradiance=rng.random((6, 7)),
-            loss=0.25,
-            account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
-        ),
-        losses=rng.random(3),
-        seconds=2.0,
-        seconds_at=np.array([1.0, 1.25, 2.0]),
-        ended="stopped",
-    )
+    times = {"seconds": 2.0, "seconds_at": np.array([1.0, 1.25, 2.0]), "ended": "stopped"}
+    result = result_of(rng.random((5, 4)), rng.random((6, 7)), rng.random(3), **times)
     target = rng.random((6, 7))
     earlier = replace(result, seconds_at=None, ended="")
     runs = (KeptRun("now", scene, target, result), KeptRun("earlier", scene, target, earlier))

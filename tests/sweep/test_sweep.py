@@ -7,12 +7,9 @@ import threading
 import numpy as np
 import pytest
 
-from tests.accounts import account_of
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
+from tests.accounts import result_of
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
-from workbench.geometry.faces import FaceArrays
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import Variation, key_of, points
 from workbench.sweep.processes import DesignTask, Done, Failed, Processes, attempt
@@ -57,18 +54,8 @@ class Here:
                 yield key, Failed("stopped at iteration 3: no light")
                 continue
             n_x, n_y = task.scene.receiver.pixels
-            account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
             heights = np.full(task.scene.optic.net_shape, 0.5)
-            result = Result(
-                LensState(
-                    heights=FaceArrays({"lens.back": heights}),
-                    irradiance=np.ones((n_y, n_x)),
-                    loss=0.1,
-                    account=account,
-                ),
-                losses=np.zeros(3),
-                seconds=2.5,
-            )
+            result = result_of(heights, np.ones((n_y, n_x)), np.zeros(3), seconds=2.5)
             yield key, Done(result, CHECK)
 
 

@@ -48,7 +48,7 @@ def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
 
 def test_the_error_of_spots_is_within_its_bound(make_scene):
     scene = make_scene({"source": SUN} | WIDER)
-    exact = found(scene, waves(scene), accuracy=3e-4).irradiance
+    exact = found(scene, waves(scene), accuracy=6e-4).irradiance
     for accuracy in (0.1, 3e-3):
         coarse = found(scene, waves(scene), accuracy=accuracy)
         assert distance(coarse.irradiance, exact) < coarse.bound <= accuracy
@@ -70,6 +70,6 @@ def test_light_is_lost_where_it_is_in_truth(make_scene):
     scene = make_scene({"source": SUN, "screen.half_width": [3.0, 3.0]})
     # Waves so steep that they reflect much of the light totally, in many places.
     steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
-    by_rays = validate(scene, np.ones((32, 32)), {"lens.back": steep}, 1_000_000)
+    by_rays = validate(scene, np.ones((32, 32)), {"lens.back": steep}, 400_000)
     assert by_rays.account.lost["total_reflection"] > 0.01
     assert spots_of(scene, steep, (200, 200)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)

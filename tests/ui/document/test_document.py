@@ -2,13 +2,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.accounts import account_of
+from tests.accounts import result_of
 from ui.document.document import Document
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -27,16 +24,7 @@ def small_scene(**changes):
 
 
 def lens_result():
-    return Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.full((6, 5), 0.5)}),
-            irradiance=np.ones((10, 12)),
-            loss=1.0,
-            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
-        ),
-        losses=np.array([2.0, 1.0]),
-        seconds=0.5,
-    )
+    return result_of(np.full((6, 5), 0.5), np.ones((10, 12)), [2.0, 1.0])
 
 
 def with_pixels(document, *pixels):

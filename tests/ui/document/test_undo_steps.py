@@ -8,27 +8,15 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 
-from tests.accounts import account_of
+from tests.accounts import result_of
 from ui.document.undo_steps import UndoSteps
-from workbench.design.lens_state import LensState
-from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun
-from workbench.geometry.faces import FaceArrays
 
 MEGABYTE = 1 << 20
 
 
 def lens(megabytes=1):
-    return Result(
-        LensState(
-            heights=FaceArrays({"lens.back": np.zeros((4, 4))}),
-            irradiance=np.zeros(megabytes * MEGABYTE // 8),
-            loss=1.0,
-            account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
-        ),
-        losses=np.zeros(3),
-        seconds=0.5,
-    )
+    return result_of(np.zeros((4, 4)), np.zeros(megabytes * MEGABYTE // 8))
 
 
 class Walk:
