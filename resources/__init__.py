@@ -244,6 +244,18 @@ EXAMPLES = (
         "A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.",
     ),
     Example(
+        "one-lens",
+        _TRAINS,
+        "Wide photograph by one lens",
+        "One face bends light by up to 47°; see in the light account what is reflected.",
+    ),
+    Example(
+        "two-lenses",
+        _TRAINS,
+        "Wide photograph by two lenses",
+        "Each lens bends light by about half; compare error and light account with one lens.",
+    ),
+    Example(
         "diffuser-screen",
         _TRAINS,
         "Diffuser before the screen",

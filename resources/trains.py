@@ -12,6 +12,9 @@ def _with_diffuser(source: dict[str, Any], diffuser: dict[str, Any], image: str)
     return in_mm(source, [acrylic, film], shown(image, screen(200, [60, 60]), viewed_from="back"))
 
 
+# One face bends light into the corners by 47°; acrylic reflects all light at 47.9°.
+_WIDE = shown("photo-256", screen(300, [230, 230], [128, 128]))
+
 SCENES = {
     # A silicone dome on an LED of 1 mm, a freeform lens, and a plate that covers them.
     "dome-cover": in_mm(
@@ -55,6 +58,25 @@ SCENES = {
             ),
         ],
         shown("letter-256", screen(214, [60, 60], [128, 128])),
+    ),
+    "one-lens": in_mm(
+        {"kind": "collimated"}, lens([10, 10], 4, "PMMA", bspline(), min_thickness=1), _WIDE
+    ),
+    "two-lenses": in_mm(
+        {"kind": "collimated"},
+        [
+            lens([10, 10], 4, "PMMA", bspline(), name="first", min_thickness=1),
+            lens(
+                [22, 22],
+                6,
+                "PMMA",
+                bspline(),
+                name="second",
+                position=[0, 0, 24],
+                min_thickness=1,
+            ),
+        ],
+        _WIDE,
     ),
     "diffuser-screen": _with_diffuser(
         {"kind": "point", "position": [0, 0, -80]},

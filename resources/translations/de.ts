@@ -470,6 +470,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Wide photograph by one lens</source>
+            <translation>Breites Foto mit einer Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
+            <translation>Eine Fläche lenkt das Licht um bis zu 47° ab; die Lichtbilanz zeigt, was reflektiert wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wide photograph by two lenses</source>
+            <translation>Breites Foto mit zwei Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
+            <translation>Jede Linse lenkt das Licht etwa zur Hälfte ab; Fehler und Lichtbilanz mit einer Linse vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Diffuser before the screen</source>
             <translation>Diffusor vor dem Schirm</translation>
         </message>
@@ -2142,6 +2162,26 @@
             <location filename="../../ui/files/exporter.py" />
             <source>A file is still being written. Export the next one after it.</source>
             <translation>Eine Datei wird noch geschrieben. Danach die nächste exportieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>all, one file each</source>
+            <translation>alle, je eine Datei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Export</source>
+            <translation>Exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Designed element</source>
+            <translation>Entworfenes Element</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Replace {files}?</source>
+            <translation>{files} ersetzen?</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />

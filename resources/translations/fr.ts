@@ -470,6 +470,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Wide photograph by one lens</source>
+            <translation>Photo large avec une lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
+            <translation>Une face dévie la lumière jusqu’à 47° ; le bilan de lumière montre ce qui est réfléchi.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wide photograph by two lenses</source>
+            <translation>Photo large avec deux lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
+            <translation>Chaque lentille dévie la lumière d’environ la moitié ; comparez l’erreur et le bilan de lumière avec une lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Diffuser before the screen</source>
             <translation>Diffuseur devant l'écran</translation>
         </message>
@@ -2142,6 +2162,26 @@
             <location filename="../../ui/files/exporter.py" />
             <source>A file is still being written. Export the next one after it.</source>
             <translation>Un fichier est en cours d'écriture. Exportez le suivant ensuite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>all, one file each</source>
+            <translation>tous, un fichier chacun</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Export</source>
+            <translation>Exporter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Designed element</source>
+            <translation>Élément conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Replace {files}?</source>
+            <translation>Remplacer {files} ?</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />

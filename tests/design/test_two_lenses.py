@@ -71,6 +71,16 @@ def test_both_lenses_take_part_in_the_deflection(scene, target):
     assert min(steepest) > 0.5 * max(steepest) > 0.05
 
 
+def test_a_wide_image_loses_little_by_total_reflection(scene, target):
+    """Whole changes of the slopes would be too much there, and send half of the light nowhere."""
+    wide = scene.receiver.model_copy(update={"half_width": (70.0, 52.0)})
+    (image,) = scene.images
+    scene = scene.model_copy(update={"images": (image.model_copy(update={"receiver": wide}),)})
+    found = validate(scene, target, shared_start(scene, target), 100_000)
+    assert found.account.lost["total_reflection"] < 0.03
+    assert found.relative_l2_corrected < 0.2
+
+
 def test_the_design_is_as_the_independent_check_finds_it(designed, scene, target):
     state = designed.result.state
     norm = np.linalg.norm(target / target.sum())

@@ -29,7 +29,7 @@ class FileDialogs(QObject):
 
     def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:
         super().__init__(window)
-        self._document, self._settings, self._window = document, settings, window
+        self._document, self._settings, self.window = document, settings, window
         self.chosen = ""
         self._used: dict[str, Path] = {}
         self._own = document.folder
@@ -37,12 +37,12 @@ class FileDialogs(QObject):
 
     def to_open(self, kind: str, title: str, filters: str) -> Path | None:
         begin = str(self._begin(kind))
-        chosen, _ = QFileDialog.getOpenFileName(self._window, title, begin, filters)
+        chosen, _ = QFileDialog.getOpenFileName(self.window, title, begin, filters)
         return self._note(kind, Path(chosen)) if chosen else None
 
     def to_save(self, kind: str, title: str, name: str, endings: Mapping[str, str]) -> Path | None:
         """Ask for a file to write; a name without an ending gets that of the chosen filter."""
-        dialog = QFileDialog(self._window, title, str(self._begin(kind)))
+        dialog = QFileDialog(self.window, title, str(self._begin(kind)))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setNameFilters(list(endings))
 

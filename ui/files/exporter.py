@@ -6,7 +6,8 @@ folder, and the complete report is moved to its place.
 
 import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, Popen, TimeoutExpired
@@ -14,16 +15,17 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QInputDialog, QMessageBox
 
 from ui.background import Background, Task
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.control import NO_LENS, CurrentLens
 from ui.widgets.messages import MessageBar
-from ui.words import later, tr
-from workbench.errors import RunFailed
+from ui.words import error_text, later, tr
+from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.export.formats import GCODE, Format, formats_for
+from workbench.files.export.formats import GCODE, Format, format_of, formats_for
 from workbench.files.export.options import MILLIMETRES, SCENE_UNIT, mesh_unit_of
 from workbench.progress import Interrupted
 from workbench.report.content import HTML, PDF, check_ending
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
     from workbench.files.export.write import Written
     from workbench.files.session import Session
+    from workbench.scene import Scene
 
 
 class Exporter(QObject):
@@ -58,7 +61,7 @@ class Exporter(QObject):
         self._background.failed.connect(messages.warn)
 
     def choose_and_export(self) -> None:
-        """Ask for a file and write it; the ending of its name tells the format."""
+        """Ask for a file, and the element where there are several, and write it."""
         self._dialogs.chosen = ""
         path = self.ask_for_name()
         if path is not None:
@@ -71,18 +74,17 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(tr(NO_LENS))
             return
-        plan = self.ask_cutting(session)
+        elements = self.ask_for_elements(session.scene, several=False)
+        plan = self._cut_of(session, elements)
         if plan is not None:
             title, name = tr("Cut {lens}").format(lens=self._lens.text), self._document.name
             endings = {_filter(GCODE): GCODE.endings[0]}
             path = self._dialogs.to_save("export", title, name, endings)
             if path is not None:
-                self.export(path, plan)
+                self._write(session, {path: elements[0]}, plan)
 
-    def export(
-        self, path: Path, plan: "CutPlan | None" = None, mesh_unit: str = MILLIMETRES
-    ) -> None:
-        """Write a file; ask for the cut of G-code without a plan."""
+    def export(self, path: Path, mesh_unit: str = MILLIMETRES) -> None:
+        """Write a file; ask which element it holds, and for the cut of G-code."""
         if self._background.busy:
             self._messages.note(tr("A file is still being written. Export the next one after it."))
             return
@@ -90,14 +92,59 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(tr(NO_LENS))
             return
-        if plan is None and path.name.lower().endswith(GCODE.endings):
-            plan = self.ask_cutting(session)
-            if plan is None:
-                return
-        self._begun = tr("Writing {name}…").format(name=path.name)
+        try:
+            found = format_of(path)
+        except Refused as refused:
+            self._messages.warn(error_text(refused))
+            return
+        elements = [session.scene.optic.name]
+        if found.of_element:
+            elements = self.ask_for_elements(session.scene, several=found is not GCODE)
+        plan = self._cut_of(session, elements) if found is GCODE else None
+        several = len(elements) > 1
+        files = {_named(path, found, each) if several else path: each for each in elements}
+        left_out = not files or (found is GCODE and plan is None)
+        if not left_out and self._may_replace([each for each in files if each != path]):
+            self._write(session, files, plan, mesh_unit)
+
+    def ask_for_elements(self, scene: "Scene", several: bool = True) -> list[str]:
+        """Ask for one designed element or for all where there are several; none if cancelled."""
+        names = [each.name for each in scene.optics]
+        if len(names) == 1:
+            return names
+        every = tr("all, one file each")
+        choices = [*names, every] if several else names
+        chosen, accepted = QInputDialog.getItem(
+            self._dialogs.window, tr("Export"), tr("Designed element"), choices, 0, editable=False
+        )
+        if not accepted:
+            return []
+        return names if chosen == every else [chosen]
+
+    def _may_replace(self, files: Sequence[Path]) -> bool:
+        there = ", ".join(path.name for path in files if path.exists())
+        buttons = QMessageBox.StandardButton
+        return not there or buttons.Yes == QMessageBox.question(
+            self._dialogs.window, tr("Export"), tr("Replace {files}?").format(files=there)
+        )
+
+    def _cut_of(self, session: "Session", elements: Sequence[str]) -> "CutPlan | None":
+        if not elements:
+            return None
+        return self.ask_cutting(replace(session, scene=session.scene.focused_on(elements[0])))
+
+    def _write(
+        self,
+        session: "Session",
+        files: Mapping[Path, str],
+        plan: "CutPlan | None",
+        mesh_unit: str = MILLIMETRES,
+    ) -> None:
+        names = ", ".join(path.name for path in files)
+        self._begun = tr("Writing {name}…").format(name=names)
         offers = [] if plan is None else [(tr("Cancel"), self._background.stop)]
         self._messages.note(self._begun, *offers, lasts=True)
-        self._background.begin(partial(_write, session, path, plan, mesh_unit), self._lens.text)
+        self._background.begin(partial(_write, session, files, plan, mesh_unit), self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -110,7 +157,7 @@ class Exporter(QObject):
         unit = mesh_unit_of(mesh_unit, session.scene.unit)
         return {
             _filter(each, unit if each.takes_unit else ""): each.endings[0]
-            for each in formats_for(session.scene.optic)
+            for each in formats_for(session.scene.optics)
             if mesh_unit == MILLIMETRES or (each.takes_unit and unit != MILLIMETRES)
         }
 
@@ -120,15 +167,21 @@ class Exporter(QObject):
     def _show_progress(self, _: object, percent: int) -> None:
         self._messages.amend(self._begun, f"{self._begun} {percent} %")
 
-    def _tell(self, lens: str, written: "Written | None") -> None:
+    def _tell(self, lens: str, written: "list[Written] | None") -> None:
         self._messages.done(
-            tr("No file was written.") if written is None else f"{written.sentence}; {lens}"
+            tr("No file was written.")
+            if written is None
+            else "; ".join([*(each.sentence for each in written), lens])
         )
 
 
 def _write(
-    session: "Session", path: Path, plan: "CutPlan | None", mesh_unit: str, task: Task
-) -> "Written":
+    session: "Session",
+    files: Mapping[Path, str],
+    plan: "CutPlan | None",
+    mesh_unit: str,
+    task: Task,
+) -> "list[Written]":
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
@@ -142,8 +195,20 @@ def _write(
             reported = round(100 * done)
             task.report(reported)
 
-    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, progress=report)
-    return written
+    return [
+        written
+        for path, element in files.items()
+        for written in export(
+            session, [path], mesh_unit=mesh_unit, plan=plan, progress=report, element=element
+        )
+    ]
+
+
+def _named(path: Path, found: Format, element: str) -> Path:
+    """The file of one of several elements: its name before the ending."""
+    ending = next(each for each in found.endings if path.name.lower().endswith(each))
+    start = len(path.name) - len(ending)
+    return path.with_name(f"{path.name[:start]}.{element}{path.name[start:]}")
 
 
 def _filter(found: Format, unit: str = "") -> str:

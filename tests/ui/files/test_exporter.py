@@ -1,5 +1,6 @@
 """Exports from the window: written beside it, told with their measured error."""
 
+import dataclasses
 import itertools
 import re
 import threading
@@ -7,7 +8,9 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QInputDialog, QMessageBox
 
+from workbench.design.limits import HeightLimits
 from workbench.files.export.design import Design
 from workbench.files.export.gcode import planning
 from workbench.files.export.options import Cutting
@@ -45,13 +48,74 @@ def test_a_file_that_cannot_be_written_is_reported(window, name, tmp_path, qtbot
 
 
 @pytest.fixture
+def train(open_window, designed):
+    """A window with two designed lenses of different size."""
+    lens = designed.scene.elements[0]
+    second = lens.model_copy(
+        update={"name": "second", "half_width": (1.5, 1.5), "position": (0.0, 0.0, 2.0)}
+    )
+    scene = designed.scene.model_copy(update={"elements": (lens, second)})
+    result = designed.result
+    heights = {face: each.undesigned for face, each in HeightLimits.of_scene(scene).items()}
+    result = dataclasses.replace(result, state=dataclasses.replace(result.state, heights=heights))
+    return open_window(dataclasses.replace(designed, scene=scene, result=result))
+
+
+def answer(choose):
+    """Answer dialogs that open, one after the other, by functions of them."""
+
+    def look():
+        dialog = QApplication.activeModalWidget()
+        if dialog is None:
+            QTimer.singleShot(20, look)
+        else:
+            choose.pop(0)(dialog)
+            if choose:
+                QTimer.singleShot(20, look)
+
+    QTimer.singleShot(20, look)
+
+
+def test_the_element_of_a_file_is_chosen_where_several_are_designed(
+    train, tmp_path, qtbot, monkeypatch
+):
+    def chosen(text):
+        def choose(dialog):
+            assert isinstance(dialog, QInputDialog)
+            dialog.setTextValue(text)
+            dialog.accept()
+
+        return choose
+
+    sizes = {}
+    for name in ("lens", "second"):
+        answer([chosen(name)])
+        export(train, tmp_path / f"{name}.dat", qtbot, monkeypatch)
+        sizes[name] = (tmp_path / f"{name}.dat").read_text().split()[2]
+    assert float(sizes["second"]) == pytest.approx(1.5 * float(sizes["lens"]))
+    answer([chosen("all, one file each")])
+    export(train, tmp_path / "all.face.step", qtbot, monkeypatch)
+    files = {tmp_path / f"all.{name}.face.step" for name in ("lens", "second")}
+    assert set(tmp_path.glob("all*")) == files
+    before = [each.stat().st_mtime_ns for each in sorted(files)]
+    answer([chosen("all, one file each"), lambda box: box.button(QMessageBox.No).click()])
+    export(train, tmp_path / "all.face.step", qtbot, monkeypatch)
+    assert [each.stat().st_mtime_ns for each in sorted(files)] == before
+    answer([lambda dialog: dialog.reject()])
+    export(train, tmp_path / "left.stl", qtbot, monkeypatch)
+    assert not (tmp_path / "left.stl").exists()
+    export(train, tmp_path / "light.irradiance.npy", qtbot, monkeypatch)  # asks nothing
+    assert (tmp_path / "light.irradiance.npy").exists()
+
+
+@pytest.fixture
 def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, path, plan, mesh_unit, task):
+    def write(session, files, plan, mesh_unit, task):
         assert release.wait(30)
-        return SimpleNamespace(sentence="written")
+        return [SimpleNamespace(sentence="written")]
 
     monkeypatch.setattr("ui.files.exporter._write", write)
     yield release
@@ -88,12 +152,12 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
     with monkeypatch.context() as changed:
         changed.setattr("workbench.files.export.gcode.writing", endless)
         path = tmp_path / "lens.nc"
-        window.exporter.export(path, plan)
+        window.exporter._write(designed, {path: "lens"}, plan)
         qtbot.waitUntil(lambda: "50" in window.messages.text and begun.is_set())
         (cancel,) = window.messages.buttons
         cancel.click()
         qtbot.waitUntil(lambda: window.messages.text == "No file was written.")
         assert list(tmp_path.glob("*lens*")) == []
-    window.exporter.export(path, plan)
+    window.exporter._write(designed, {path: "lens"}, plan)
     qtbot.waitUntil(lambda: str(path) in window.messages.text)
     assert path.read_text().endswith("M5\nM30\n")

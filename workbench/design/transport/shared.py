@@ -37,6 +37,9 @@ _LEVELS = (96, 4), (224, 4)
 _WEIGHTS, _ENOUGH = (1.0, 0.5, 0.25, 0.1, 0.0), 0.98
 # Slope of the tilts that tell how far a face moves rays; and the most that slopes change in a fit.
 _TILT, _MOST = 1e-3, 0.3
+# Parts of a change that are tried, until this part of the rays that arrived arrives again: at large
+# angles a whole change is too much, and rays that are lost tell nothing.
+_PARTS, _KEPT = (1.0, 0.5, 0.25), 0.99
 # Part of the mean square of J that is added to J Jᵀ: rays that no face moves stay where they are.
 _REGULAR = 1e-6
 
@@ -47,6 +50,11 @@ class _Light(NamedTuple):
     places: dict[str, Pair]
     arrival: Array  # (2, cells, cells): column and row in pixels; not finite where a ray is lost
     flux: Array
+
+    @property
+    def arrived(self) -> int:
+        """How many rays arrive."""
+        return int(np.isfinite(self.arrival).all(axis=0).sum())
 
 
 class _Train:
@@ -96,7 +104,7 @@ def shared_start(
         heights, behind = rough.fitted(undesigned, light, weights, limits)
         arrived = float(behind.flux.sum() / light.flux.sum())
         found.append((arrived, heights, weights))
-        if arrived >= _ENOUGH:
+        if arrived >= _ENOUGH or arrived < found[0][0]:
             break
     arrived, heights, weights = max(found, key=lambda each: each[0])
     if not arrived:
@@ -133,18 +141,36 @@ class _Level:
         transport = Transport(light.flux / light.flux.sum(), *self._wanted)
         receiver, view = self._scene.receiver, ReceiverView.of(self._scene)
         to = np.stack(receiver.to_pixels(*view.places(transport)))
-        for _ in range(self._fits):
+        whole_steps = 0
+        while whole_steps < self._fits:
             check_interruption()
             changes = _changes(self.train, self._nets, heights, light, to, weights)
-            for face, change in changes.items():
-                fit = self._fit_of[face]
-                slopes = fit.slopes(heights[face])
-                even = _evenly(change, light.places[face], self._nets[face], len(slopes[0]))
-                x, y = (a + b for a, b in zip(slopes, even, strict=True))
-                placed = limits[face].placed(fit.heights(x, y))
-                heights[face] = limits[face].nearest(placed)
-            light = self.train.through(heights)
+            for part in _PARTS:
+                changed = self._changed(heights, light, changes, part, limits)
+                behind = self.train.through(changed)
+                if behind.arrived >= _KEPT * light.arrived:
+                    break
+            whole_steps += part in (_PARTS[0], _PARTS[-1])
+            heights, light = changed, behind
         return heights, light
+
+    def _changed(
+        self,
+        heights: Mapping[str, Array],
+        light: _Light,
+        changes: Mapping[str, Pair],
+        part: float,
+        limits: Mapping[str, HeightLimits],
+    ) -> dict[str, Array]:
+        """Heights of faces after a part of changes of their slopes."""
+        changed = dict(heights)
+        for face, change in changes.items():
+            fit = self._fit_of[face]
+            slopes = fit.slopes(heights[face])
+            even = _evenly(change, light.places[face], self._nets[face], len(slopes[0]))
+            x, y = (a + part * b for a, b in zip(slopes, even, strict=True))
+            changed[face] = limits[face].nearest(limits[face].placed(fit.heights(x, y)))
+        return changed
 
 
 def _changes(

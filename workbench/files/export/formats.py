@@ -3,7 +3,7 @@
 Writers are imported when they are needed: torch and OpenCASCADE import slowly.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
@@ -27,6 +27,7 @@ class Format(NamedTuple):
     content: str | None = None  # function of that module that computes the written data
     front: bool = False  # whether the file holds the freeform front face, not the last face
     takes_unit: bool = False  # whether lengths are in the requested unit of meshes
+    of_element: bool = True  # whether the file holds one element, not the whole train or its light
 
     @property
     def of_entrance(self) -> "Format":
@@ -60,7 +61,13 @@ OF_ONE_FACE = (
 
 FORMATS = (
     Format((".step", ".stp"), "STEP solid", "step", "write_step"),
-    Format((".train.step", ".train.stp"), "STEP, all elements", "step_train", "write_step_train"),
+    Format(
+        (".train.step", ".train.stp"),
+        "STEP, all elements",
+        "step_train",
+        "write_step_train",
+        of_element=False,
+    ),
     Format((".iges", ".igs"), "IGES solid", "iges", "write_iges"),
     Format((".stl",), "STL mesh", "meshes", "write_stl", takes_unit=True),
     Format((".obj",), "OBJ mesh", "meshes", "write_obj", takes_unit=True),
@@ -68,21 +75,26 @@ FORMATS = (
     Format((".3mf",), "3MF mesh", "meshes", "write_3mf", takes_unit=True),
     Format((".glb",), "glTF mesh", "meshes", "write_glb"),
     *OF_ONE_FACE,
-    Format((".irradiance.png",), "irradiance, 16 bit", "maps", "write_png", "irradiance"),
-    Format(
-        (".irradiance.tiff", ".irradiance.tif"),
-        "irradiance, 32 bit",
-        "maps",
-        "write_tiff",
-        "irradiance",
+    *(
+        Format(endings, name, module, writer, content, of_element=False)
+        for endings, name, module, writer, content in (
+            ((".irradiance.png",), "irradiance, 16 bit", "maps", "write_png", "irradiance"),
+            (
+                (".irradiance.tiff", ".irradiance.tif"),
+                "irradiance, 32 bit",
+                "maps",
+                "write_tiff",
+                "irradiance",
+            ),
+            ((".irradiance.exr",), "irradiance, 32 bit", "maps", "write_exr", None),
+            ((".irradiance.npy",), "irradiance", "maps", "write_npy", "irradiance"),
+            ((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
+            ((".ies",), "intensity, IES LM-63", "photometric", "write_ies", None),
+            ((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt", None),
+            ((".tm25ray",), "rays behind the lens, IES TM-25", "tables", "write_tm25", None),
+            ((".rays.csv",), "rays on the screen", "tables", "write_rays", None),
+        )
     ),
-    Format((".irradiance.exr",), "irradiance, 32 bit", "maps", "write_exr"),
-    Format((".irradiance.npy",), "irradiance", "maps", "write_npy", "irradiance"),
-    Format((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
-    Format((".ies",), "intensity, IES LM-63", "photometric", "write_ies"),
-    Format((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt"),
-    Format((".tm25ray",), "rays behind the lens, IES TM-25", "tables", "write_tm25"),
-    Format((".rays.csv",), "rays on the screen", "tables", "write_rays"),
     *(each.of_entrance for each in OF_ONE_FACE),
 )
 """All formats; formats of the same kind of file are distinguished by a double ending."""
@@ -90,9 +102,10 @@ FORMATS = (
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
 
 
-def formats_for(optic: "Element") -> list[Format]:
-    """Formats for an element."""
-    return [found for found in FORMATS if optic.designed_front or not found.front]
+def formats_for(optics: "Sequence[Element]") -> list[Format]:
+    """Formats for designed elements."""
+    front = any(optic.designed_front for optic in optics)
+    return [found for found in FORMATS if front or not found.front]
 
 
 def format_of(path: Path) -> Format:
