@@ -12,7 +12,8 @@ from workbench.design.descent import remembered
 from workbench.design.images import MARGINS
 from workbench.design.levels import FINE, cells_of
 from workbench.design.near_sources import source_cells
-from workbench.design.transport import both_faces, start
+from workbench.design.transport.one_face import cells_for
+from workbench.design.transport.two_faces import cells_of_faces
 from workbench.errors import Refused
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.geometry.surface import ControlNet, freeform_nets, nets_of
@@ -101,7 +102,7 @@ def _of_start(scene: Scene) -> float:
     """Bytes of a first lens by transport."""
     nets, far = freeform_nets(scene.optic), scene.source.place is None
     both = len(nets) > 1
-    cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.designed_face])
+    cells = cells_of_faces(nets) if both else cells_for(nets[scene.optic.designed_face])
     array = _REAL * cells**2
     arrays = _BOTH if both else _FAR if far else _NEAR
     return float(arrays[array >= _MAPPED] * array)

@@ -63,7 +63,7 @@ def _design(task: DesignTask, threads: int | None) -> Done:
     import torch  # takes seconds; the parent process does not need it
 
     from workbench.analysis.validation import validate
-    from workbench.design.kernels import compile_all
+    from workbench.design.transport import compile_all
 
     if threads is not None:
         torch.set_num_threads(threads)

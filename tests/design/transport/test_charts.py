@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from workbench.design.transport.charts import chart_of
-from workbench.design.transport.start import first_error, transport_start, wanted_cells
+from workbench.design.transport.chart import chart_of
+from workbench.design.transport.one_face import first_error, transport_start, wanted_cells
 from workbench.geometry.surface import ControlNet
 
 CELLS = 288

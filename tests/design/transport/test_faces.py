@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from workbench.design.transport import refitted, transport_start
-from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.face_light import FaceLight
-from workbench.design.transport.meeting import met
-from workbench.design.transport.start import cells_for
+from workbench.design.transport.cells import met
+from workbench.design.transport.faces import FaceLight, SlopeFit
+from workbench.design.transport.one_face import cells_for
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target

@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from scipy.ndimage import map_coordinates
 
-from workbench.design.transport.back_and_forth import Transport
-from workbench.design.transport.between import between, whence
-from workbench.design.transport.envelope import c_transform
-from workbench.design.transport.push import mapped, push
+from workbench.design.transport.back_and_forth import Transport, c_transform, mapped, push
+from workbench.design.transport.cells import between, whence
 
 
 def blob(cells, centre, width):

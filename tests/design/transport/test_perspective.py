@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.transport.perspective import in_perspective
+from workbench.design.transport.cells import in_perspective
 
 
 def test_an_image_that_is_seen_shifted_and_half_as_wide_keeps_its_light(rng):

@@ -1,39 +1,247 @@
-"""Faces that send light to given places on a receiver."""
+"""Faces that send light to given places on a receiver, found on even cells of the optic."""
 
 import math
+from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import torch
+from scipy.linalg import eigh
+from scipy.sparse import csr_array
 
 from workbench.arrays import Array
-from workbench.design.limits import HeightLimits
-from workbench.design.transport.between import Pair, between
-from workbench.design.transport.chart import SlopesFor
-from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.face_light import FaceLight
-from workbench.scene import Scene
+from workbench.design.limits import HeightLimits, bounded
+from workbench.design.transport.cells import Pair, Vector, between
+from workbench.design.transport.view import ReceiverView
+from workbench.geometry.basis import clamped_knots, sparse_basis
+from workbench.geometry.surface import ControlNet
+from workbench.optics.glass import FlatGlass
+from workbench.optics.interfaces import TransmittanceLaw
+from workbench.optics.path import Path
+from workbench.optics.plan import precision_of
+from workbench.optics.reference import Reference
+from workbench.optics.sources import emitter_of
+from workbench.scene import ExactMethod, PointSource, Scene
 
-Vector = tuple[Array, Array, Array]
+SlopesFor = Callable[[Pair, Pair], Pair]
+"""Slopes along x and y that light needs at places in cells of the lens to places u, v."""
 
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
 # what it is where light goes straight on or back: n − 1, and 2 for a mirror.
 UPRIGHT = 0.1
 # Blocks along an axis within which what a net cannot follow cancels out.
 _BLOCKS = 16
+# Light that leaves a face changes little from one of these cells to the next: each stands for so
+# many along an axis.
+_SHARED = 2
+# In half-widths of the optic: rays that meet the face so near to the middles of cells are theirs.
+_NEAR = 1e-6
 
 
-class Faces(NamedTuple):
-    """Finds faces that send light where a transport says."""
+class SlopeFit:
+    """Least squares on a tensor grid of even places, for one net and many fields of slopes.
 
-    scene: Scene
-    light: FaceLight
-    fit: SlopeFit
-    limits: HeightLimits
+    The normal equations are a sum of two Kronecker products; the eigenvectors of the pairs of
+    small matrices along each axis make them diagonal (Lynch, Rice and Thomas 1964).
+
+    `net`: where the control heights sit; `places`: places along each axis, at least as many as
+    control points: the middles of equal cells.
+    """
+
+    def __init__(self, net: ControlNet, places: int) -> None:
+        self._x, self._y = (
+            _axis(count, degree, places)
+            for count, degree in zip(net.shape, net.degree, strict=True)
+        )
+        self._width_x, self._width_y = (2 * r for r in net.half_width)
+        stretch_x, stretch_y = (
+            self._x.stretch / self._width_x**2,
+            self._y.stretch / self._width_y**2,
+        )
+        self._stretch = stretch_x[:, None] + stretch_y[None, :]
+        # The mean height does not matter to slopes, nor do heights that no place sees.
+        self._seen = self._stretch > 1e-10 * self._stretch.max()
+
+    def surface(self, heights: Array) -> Array:
+        """Heights of the face at the places, shape (places, places)."""
+        return np.asarray((self._y.value @ (self._x.value @ heights).T).T)
+
+    def slopes(self, heights: Array) -> tuple[Array, Array]:
+        """Slopes dz/dx and dz/dy of the face at the places, each of shape (places, places)."""
+        x, y = self._x, self._y
+        along_x = (y.value @ (x.slope @ heights).T).T / self._width_x
+        along_y = (y.slope @ (x.value @ heights).T).T / self._width_y
+        return np.asarray(along_x), np.asarray(along_y)
+
+    def heights(self, slope_x: Array, slope_y: Array) -> Array:
+        """Control heights of the face, up to a constant.
+
+        `slope_x`, `slope_y` (places, places): wanted slopes dz/dx and dz/dy at the places.
+        """
+        x, y = self._x, self._y
+        moments = (y.value.T @ (x.slope.T @ (slope_x / self._width_x)).T).T
+        moments += (y.slope.T @ (x.value.T @ (slope_y / self._width_y)).T).T
+        amplitudes = np.zeros_like(moments)
+        np.divide(x.modes.T @ moments @ y.modes, self._stretch, out=amplitudes, where=self._seen)
+        return np.asarray(x.modes @ amplitudes @ y.modes.T)
+
+
+class _Axis(NamedTuple):
+    """Splines along an axis from 0 to 1."""
+
+    # (places, count), basis functions and their derivatives at the places.
+    value: csr_array
+    slope: csr_array
+    # (count, count), vectors that make the mass matrix the identity and the stiffness matrix
+    # diagonal.
+    modes: Array
+    stretch: Array  # (count,), that diagonal
+
+
+@lru_cache(maxsize=8)  # both axes of most nets, one design after the other, and refits share it
+def _axis(count: int, degree: int, places: int) -> _Axis:
+    knots, middles = clamped_knots(count, degree), (np.arange(places) + 0.5) / places
+    value, slope = (sparse_basis(knots, degree, middles, derivative) for derivative in (0, 1))
+    mass = (value.T @ value).toarray()
+    # A trace of ridge: with few places a mass matrix need not be definite.
+    mass += 1e-12 * np.trace(mass) / count * np.eye(count)
+    stretch, modes = eigh((slope.T @ slope).toarray(), mass)
+    return _Axis(value, slope, modes, stretch)
+
+
+class FaceLight:
+    """Light on the exit face: its flux in each cell, and its direction from inside.
+
+    It comes from one place, the middle of the source; what a file says of its intensity counts.
+    """
+
+    def __init__(self, scene: Scene, net: ControlNet, fit: SlopeFit, cells: int) -> None:
+        r_x, r_y = scene.optic.half_width
+        middle = 2 * (np.arange(cells) + 0.5) / cells - 1
+        self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
+        self._entrance_z, self._face = scene.optic.front_z, scene.optic.designed_face
+        self._along: tuple[float, float, float] | None = None
+        self._glass: FlatGlass | None = None
+        self._fit, self._given = fit, emitter_of(scene.source, scene.optic).origins
+        sharp = scene.source.sharp
+        if self._given.pattern is not None:  # a file's origin need not be where its light is
+            x, y, z = (float(c) for c in self._given.middle(self.x, self.y, self._entrance_z))
+            sharp = PointSource(kind="point", position=(x, y, z))
+        if isinstance(sharp, PointSource):  # a first lens needs no triangles
+            sharp = sharp.model_copy(update={"intersection": ExactMethod()})
+        scene = scene.model_copy(update={"source": sharp})
+        self._scene, self._net = scene, net
+        origins = emitter_of(scene.source, scene.optic).origins
+        (x, y, z), n = origins.places[0], scene.optic.index
+        if origins.infinite:  # by Snell's law, one direction in the glass
+            self._along = x / n, y / n, math.sqrt(1 - (x**2 + y**2) / n**2)
+        else:
+            self._away_x, self._away_y = self.x - x, self.y - y
+            self._from_z = z
+            if n > 1:
+                entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
+                self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
+        self._sharp = origins
+        samples = cells // _SHARED, cells // _SHARED
+        self._reference = Reference(Path.of(scene, net, torch.float64, samples=samples))
+
+    def flux(self, heights: Array) -> Array | None:
+        """Flux that leaves the face, in each cell; all together 1. None if there is none."""
+        with torch.no_grad():
+            leaving = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
+        flux = leaving.numpy().astype(np.float64)
+        flux = flux.repeat(_SHARED, 0).repeat(_SHARED, 1)
+        if self._given.pattern is not None:
+            flux = flux * self._brighter(self._fit.surface(heights))
+        total = float(flux.sum())
+        return flux / total if total > 0 else None
+
+    def flux_or(self, heights: Array, flux: Array) -> Array:
+        """`flux`, or another one if a lens reflects all light: it is improved blindly."""
+        passed = self.flux(heights)
+        return flux if passed is None else passed
+
+    def goes_to(self, heights: Array) -> Pair | None:
+        """Where on the receiver the light of each cell lands, in the receiver's coordinates.
+
+        None where some of it lands nowhere, or where rays do not meet the face in the middles of
+        cells.
+        """
+        cells = len(self.x), self.y.size
+        kind = precision_of(self._scene)
+        reference = Reference(Path.of(self._scene, self._net, kind, samples=cells))
+        with torch.no_grad():
+            face = torch.tensor(heights, dtype=kind)
+            column, row, rays, *_ = reference.arrival({self._face: face})
+        at, middles = rays.position[:2], (self.x, self.y)
+        away = [np.abs(found.numpy() - m).max() for found, m in zip(at, middles, strict=True)]
+        if max(away) > _NEAR * max(self._scene.optic.half_width) or not (
+            column.isfinite().all() and row.isfinite().all()
+        ):
+            return None
+        u, v = self._scene.receiver.from_pixels(column.double().numpy(), row.double().numpy())
+        return u, v
+
+    def _brighter(self, z: Array) -> Array:
+        """Light that enters on its way to each place, over that of the point in the middle."""
+        d_x, d_y, d_z = self.direction(z)
+        depth = z - self._entrance_z
+        x, y = self.x - depth * d_x / d_z, self.y - depth * d_y / d_z
+        given, even = (o.density(x, y, self._entrance_z) for o in (self._given, self._sharp))
+        return given / even
+
+    def direction(self, z: Array) -> Vector:
+        """Unit vectors at places of the face with heights z."""
+        if self._along is not None:
+            d_x, d_y, d_z = (np.full_like(z, part) for part in self._along)
+            return d_x, d_y, d_z
+        if self._glass is None:
+            return unit(self._away_x, self._away_y, z - self._from_z)
+        depth = torch.as_tensor((z - self._entrance_z).clip(0))
+        radius2 = torch.as_tensor(self._away_x**2 + self._away_y**2)
+        slope = self._glass.slope(radius2, depth).numpy()
+        return unit(self._away_x * slope, self._away_y * slope, np.ones_like(z))
+
+
+def unit(x: Array, y: Array, z: Array) -> Vector:
+    """Vectors of length 1 along others."""
+    length = np.sqrt(x**2 + y**2 + z**2)
+    return x / length, y / length, z / length
+
+
+class Faces:
+    """Finds faces that send light where a transport says.
+
+    `scene`: the design task; an extended source counts as a point at its centre; `net`: of the
+    face, with fewer control points than cells along each axis. `light`: light on the face; `view`:
+    of the receiver.
+    """
+
+    def __init__(self, scene: Scene, net: ControlNet, cells: int) -> None:
+        self.scene, self.view = scene, ReceiverView.of(scene)
+        self._fit, self._limits = SlopeFit(net, cells), HeightLimits.of(bounded(scene), net)
+        self.light = FaceLight(scene, net, self._fit, cells)
+
+    def begin(self) -> tuple[Array, Array] | None:
+        """Heights of a lens that light leaves, and its flux in each cell; None if there is none."""
+        for heights in self._candidates():
+            flux = self.light.flux(heights)
+            if flux is not None:
+                return heights, flux
+        return None
+
+    def _candidates(self) -> Iterator[Array]:
+        """The undesigned lens; plates, that reflect none of the light totally."""
+        undesigned = self._limits.undesigned
+        yield undesigned
+        yield np.full_like(undesigned, undesigned.mean())
+        yield np.full_like(undesigned, self._limits.lower.min())
 
     def fitted(self, to: Pair, heights: Array, fits: int) -> Array:
         """Control heights of a face, from those of one like it, found in so many fits."""
         for _ in range(fits):
-            heights = self.limits.placed(self.fit.heights(*self._wanted(to, heights)))
+            heights = self._limits.placed(self._fit.heights(*self._wanted(to, heights)))
         return heights
 
     def missed(self, to: Pair, heights: Array) -> float:
@@ -43,7 +251,7 @@ class Faces(NamedTuple):
         follow is left out: only what no smooth face can.
         """
         wanted, extent = self._wanted(to, heights), self.scene.receiver.half_extent
-        found = self.fit.slopes(self.fit.heights(*wanted))
+        found = self._fit.slopes(self._fit.heights(*wanted))
         square = 0.0
         for axis, half in enumerate(extent):
             beside = to[0] + (axis == 0) * half, to[1] + (axis == 1) * half
@@ -53,7 +261,7 @@ class Faces(NamedTuple):
 
     def slopes_for(self, heights: Array) -> SlopesFor:
         """The slopes that light needs in any cell of a face like another."""
-        z = self.fit.surface(heights)
+        z = self._fit.surface(heights)
         cells, direction = len(z), self.light.direction(z)
 
         def slopes(cell: Pair, to: Pair) -> Pair:
@@ -68,7 +276,7 @@ class Faces(NamedTuple):
 
     def _wanted(self, to: Pair, heights: Array) -> Pair:
         """Slopes in all cells of a face like another that send light to places."""
-        z = self.fit.surface(heights)
+        z = self._fit.surface(heights)
         return self._slopes((self.light.x, self.light.y, z), self.light.direction(z), to)
 
     def _slopes(self, place: Vector, coming: Vector, to: Pair) -> Pair:

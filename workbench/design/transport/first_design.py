@@ -20,10 +20,9 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.limits import bounded
-from workbench.design.transport.lines import line_start
+from workbench.design.transport.one_face import first_error, transport_start
 from workbench.design.transport.shared import shared_start
-from workbench.design.transport.start import first_error, transport_start
-from workbench.design.transport.two_faces import split_start
+from workbench.design.transport.two_faces import line_start, split_start
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
 from workbench.extended.scattering import Scattering, film_scene

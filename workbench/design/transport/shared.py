@@ -16,9 +16,9 @@ import torch
 from workbench.arrays import Array
 from workbench.design.limits import HeightLimits
 from workbench.design.transport.back_and_forth import Transport
-from workbench.design.transport.between import Pair, between, whence
-from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.start import wanted_cells
+from workbench.design.transport.cells import Pair, between, whence
+from workbench.design.transport.faces import SlopeFit
+from workbench.design.transport.one_face import wanted_cells
 from workbench.design.transport.two_face_light import to_arrays
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.faces import NO_FACES

@@ -12,9 +12,8 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.design.transport.between import Pair, between, whence
-from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.meeting import met
+from workbench.design.transport.cells import Pair, Vector, between, met, whence
+from workbench.design.transport.faces import SlopeFit
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
@@ -24,8 +23,6 @@ from workbench.optics.sources.origins import through_cells
 from workbench.optics.surfaces import Meeting
 from workbench.optics.surfaces.intersection import RIM
 from workbench.scene import Scene
-
-Vector = tuple[Array, Array, Array]
 
 
 class LightInLens(NamedTuple):

@@ -14,7 +14,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
-from workbench.design.transport.perspective import in_perspective
+from workbench.design.transport.cells import in_perspective
 from workbench.scene import Scene
 
 # Samples along an axis for the light that is wanted in cells: for each pixel and for each cell, at
