@@ -20,7 +20,7 @@ from workbench.progress import (
 WORK = {
     "manufacture": lambda scene: manufacture(scene.optic, undesigned(scene.optic)),
     "first lens": lambda scene: transport_start(scene, np.eye(16)),
-    "light to be blurred": lambda scene: spread_light(np.eye(16), Blur((3.0, 3.0))),
+    "light to be blurred": lambda scene: spread_light(np.eye(16), Blur((3.0, 3.0)).spread()),
 }
 
 

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from tests.scenes import changed
 from workbench.design.brush import Stroke, bump
+from workbench.design.levels import source_cells
 from workbench.design.methods import Evaluator
-from workbench.design.near_sources import source_cells
 from workbench.design.run import run
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene

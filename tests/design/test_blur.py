@@ -7,8 +7,7 @@ import pytest
 import torch
 
 from workbench.analysis.validation import validate
-from workbench.design.lens_blur import BlurChange, BlurredPlan, LensBlur, LightBlurring
-from workbench.design.levels import lens_blur_of
+from workbench.design.lens_blur import LensBlur, LightBlurring, lens_blur_of, plan_of
 from workbench.design.transport import first_design, transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
@@ -52,12 +51,8 @@ SHAPE, PARTS = (7, 9), 2
 
 @pytest.fixture
 def kernels(rng):
-    return rng.standard_normal((PARTS**2, 5, 3))
-
-
-@pytest.fixture
-def changes(rng):
-    return rng.standard_normal((2, PARTS**2, 5, 3))
+    """A mean and two changes."""
+    return rng.standard_normal((3, PARTS**2, 5, 3))
 
 
 @pytest.fixture
@@ -66,19 +61,17 @@ def factors(rng):
 
 
 @pytest.fixture
-def blurring(kernels, changes, factors):
-    return LightBlurring(*map(torch.as_tensor, (kernels, changes, factors)))
+def blurring(kernels, factors):
+    return LightBlurring(torch.as_tensor(kernels), torch.as_tensor(factors))
 
 
-def test_light_of_each_part_is_spread_by_the_kernels_of_its_part(
-    blurring, kernels, changes, factors
-):
+def test_light_of_each_part_is_spread_by_the_kernels_of_its_part(blurring, kernels, factors):
     light = torch.zeros(PARTS * SHAPE[0], PARTS * SHAPE[1], dtype=torch.float64)
     row, column = 4, 6
     light[PARTS * row + 1, PARTS * column] = 2.0  # below, left of the middle
     image = blurring.image(light).numpy()
-    kernel = kernels[PARTS]
-    for factor, change in zip(factors, changes, strict=True):
+    kernel = kernels[0, PARTS]
+    for factor, change in zip(factors, kernels[1:], strict=True):
         kernel = kernel + factor[row, column] * change[PARTS]
     wanted = np.zeros(SHAPE)
     wanted[row - 2 : row + 3, column - 1 : column + 2] = 2 * kernel
@@ -129,7 +122,7 @@ def test_widths_change_as_rays_of_the_source_say(sun):
         half = math.radians(1.5)
         return hit(x, half) - hit(x, -half)
 
-    change = BlurChange.of(sun, heights).at((50, 40), (0, 0))
+    change = lens_blur_of(sun, heights).image_blur.factors_at((50, 40), (0, 0))
     rim = np.array([0.9])
     column = round(25 * (1 + hit(rim, 0.0) / 2.0) - 0.5)
     found = (1 + change[0, 20, column]) / (1 + change[0, 20, 25])
@@ -143,7 +136,7 @@ def test_image_with_a_changing_blur_is_nearer_to_that_of_many_origins(sun, rng):
     assert found is not None
     all_of_it = BeamPlan(sun, Corners(96, 96, 512)).trace(heights, margin).flux
     off = [
-        (BlurredPlan(sun, (256, 256), blur).trace(heights, margin).flux - all_of_it).norm()
+        (plan_of(sun, (256, 256), blur=blur).trace(heights, margin).flux - all_of_it).norm()
         for blur in (found, LensBlur(found.mean))
     ]
     assert off[0] < 0.5 * off[1]
@@ -157,7 +150,7 @@ def heights(sun, rng):
 
 
 def blurred(scene, cells=(256, 256)):
-    return BlurredPlan(scene, cells, LensBlur(Blur.of(scene, scene.optic.base.height)))
+    return plan_of(scene, cells, blur=LensBlur(Blur.of(scene, scene.optic.base.height)))
 
 
 def test_blurred_image_is_the_image_of_many_origins(sun, heights):
@@ -181,7 +174,7 @@ def test_account_of_a_blurred_image_adds_up_and_counts_its_light(make_scene, hei
 def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, changing):
     heights = lens_of(sun, 0.1, 0.004, rng)
     blur = lens_blur_of(sun, heights)
-    plan = BlurredPlan(sun, (64, 64), blur if changing else LensBlur(blur.mean))
+    plan = plan_of(sun, (64, 64), blur=blur if changing else LensBlur(blur.mean))
     way, weight = (torch.as_tensor(rng.random(shape) - 0.5) for shape in ((12, 12), (40, 50)))
 
     def value(heights):

@@ -12,9 +12,8 @@ import torch
 from tests.benchmarks.kernels import wavy
 from tests.scenes import changed
 from workbench.design import memory
-from workbench.design.levels import FINE, cells_of, image_of
+from workbench.design.levels import FINE, cells_of, image_of, source_cells
 from workbench.design.memory import auto_memory, check_auto
-from workbench.design.near_sources import source_cells
 from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.process import as_bytes, release_freed_memory

@@ -12,7 +12,7 @@ from workbench.analysis.metrics import relative_l2
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
-from workbench.extended.deblur import deblur, spread_light
+from workbench.extended.deblur import deblur, spread_light, wanted_light
 
 
 def letters(n_y: int, n_x: int) -> np.ndarray:
@@ -129,7 +129,7 @@ def test_light_in_parts_of_pixels_comes_nearer_than_light_spread_over_whole_ones
     target[6:15, 8:22] = 1
     blur, errors = Blur((5.0, 5.0), "ellipse"), []
     for parts in (1, 3):
-        light = spread_light(target, blur, parts)
+        light = spread_light(target, blur.spread(parts))
         (m_x, m_y), (n_y, n_x) = blur.margin, target.shape
         assert light.shape == (parts * (n_y + 2 * m_y), parts * (n_x + 2 * m_x))
         kernels = blur.spread(parts).reshape(parts, parts, *blur.spread().shape[1:])
@@ -140,3 +140,24 @@ def test_light_in_parts_of_pixels_comes_nearer_than_light_spread_over_whole_ones
         )
         errors.append(np.linalg.norm(image / image.sum() - target / target.sum()))
     assert errors[1] < 0.95 * errors[0]
+
+
+def test_light_without_a_size_is_wanted_on_the_receiver_alone(rng):
+    target = rng.random((12, 10))
+    wanted = wanted_light(target, None, (3, 2))
+    assert wanted.shape == (16, 16)
+    np.testing.assert_allclose(wanted[2:-2, 3:-3], target / target.sum())
+    assert wanted[:2].sum() == 0
+
+
+@pytest.mark.parametrize("margin", [(1, 1), (3, 3), (9, 7)])
+def test_a_blurred_bright_border_wants_light_beyond_it(margin):
+    wanted = wanted_light(np.ones((40, 30)), Blur((5.0, 5.0), "ellipse").spread()[0], margin)
+    m_x, m_y = margin
+    inside = wanted[m_y:-m_y, m_x:-m_x]
+    # Of the blur of 5 pixels, 2 are beyond the farthest pixel of the narrow margin.
+    assert wanted.sum() == pytest.approx(1, abs=0.03 if margin == (1, 1) else 1e-9)
+    assert np.ptp(inside) < 1e-12  # on the receiver it is the target
+    assert 0.02 < 1 - inside.sum() < 0.3
+    beyond = wanted[m_y - 1, m_x:-m_x]  # the first row above the receiver
+    assert 0 < beyond.mean() < inside.mean()

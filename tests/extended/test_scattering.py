@@ -8,9 +8,11 @@ import pytest
 from tests.diffusers import with_diffuser
 from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.interfaces import ScatterBoundary
+from workbench.extended.blurring import near
 from workbench.extended.bound import Bound
+from workbench.extended.deblur import spread_light, wanted_light
 from workbench.extended.scatter_kernels import ScatteredRays
-from workbench.extended.scattering import Scattering, film_scene
+from workbench.extended.scattering import film_scene, scattering_of
 from workbench.scene import Diffuser, Scene
 
 _RAYS = 400_000
@@ -68,9 +70,9 @@ def test_a_kernel_is_what_random_rays_make(scatter, incidence, rng):
 
 def test_a_lambertian_kernel_is_its_closed_form():
     scene = _scene(scatter={"kind": "lambertian"})
-    scattering = Scattering.of(scene)
+    scattering = scattering_of(scene)
     assert scattering is not None
-    (kernel,), away = scattering.kernels, 8.0
+    ((kernel,),), away = scattering.kernels, 8.0
     rows, columns = np.indices(kernel.shape) - kernel.shape[0] // 2
     square = rows**2 + columns**2  # pixels are 1 wide
     form = away**2 / (math.pi * (away**2 + square) ** 2)
@@ -97,20 +99,15 @@ def test_a_gaussian_kernel_changes_with_the_direction_of_light():
         ways = np.stack([(u - v / 2) / 25, v / 25, np.ones_like(u)], axis=-1)
         return ways / np.linalg.norm(ways, axis=-1, keepdims=True)
 
-    scattering = Scattering.of(scene, slanted)
+    scattering = scattering_of(scene, slanted)
     assert scattering is not None
-    parts = scattering.parts
-    pixels = 40 * parts, 40 * parts
-    factors = scattering.factors_at(pixels, (0, 0))
-    fine = scene.receiver.model_copy(update={"pixels": pixels})
+    factors = scattering.factors_at((40, 40), (0, 0))
     for row, column in ((20, 20), (2, 37), (30, 5)):
-        found = scattering.kernels[0] + np.tensordot(
-            factors[:, parts * row, parts * column], scattering.kernels[1:], 1
-        )
-        u, v = (np.array([at + 0.5 / parts]) for at in (column - 20, 20 - row))
-        v -= 1 / parts
+        kernels = scattering.kernels.mean(axis=1)
+        found = kernels[0] + np.tensordot(factors[:, row, column], kernels[1:], 1)
+        u, v = np.array([column - 19.5]), np.array([19.5 - row])
         ways = slanted(u, v)
-        (exact,) = ScatteredRays(_film(scene), fine, 1, u, v, ways).kernels()
+        (exact,) = ScatteredRays(_film(scene), scene.receiver, 1, u, v, ways).kernels()
         more = [(a - b) // 2 for a, b in zip(found.shape, exact.shape, strict=True)]
         inner = found[more[0] : more[0] + len(exact), more[1] : more[1] + exact.shape[1]]
         assert np.linalg.norm(inner - exact) < 0.04 * np.linalg.norm(exact)
@@ -124,13 +121,12 @@ def test_no_bound_is_known_behind_a_diffuser():
 
 
 def test_light_wanted_before_a_diffuser_is_sharper_than_the_target():
-    scattering = Scattering.of(_scene())
+    scattering = scattering_of(_scene())
     assert scattering is not None
     x = np.abs(np.arange(40) - 19.5)
     target = np.where(np.hypot(x[:, None], x) < 10, 1.0, 0.1)
-    light, (m_x, m_y) = scattering.unscattered(target)
-    assert light.shape == (40 + 2 * m_y, 40 + 2 * m_x)
-    wanted = scattering.wanted(target, (3, 2), None)
+    light = spread_light(target, near(scattering.of_pixels[None], target.shape))
+    wanted = wanted_light(target, scattering.of_pixels, (3, 2))
     assert wanted.shape == (44, 46)
     inside = wanted[2:-2, 3:-3]
     np.testing.assert_allclose(inside, inside.sum() * target / target.sum())

@@ -1,115 +1,25 @@
-"""Images of lenses against their targets: one, several, and those behind a diffuser."""
+"""Images of lenses against their targets: one, and several."""
 
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Protocol
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.design.lens_blur import BlurredPlan, LensBlur, LightBlurring, powers
+from workbench.design.lens_blur import LensBlur, plan_of
 from workbench.design.lens_state import FurtherLight, LensState, Step
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.extended.blur import Blur
-from workbench.extended.scattering import Directions, Scattering
-from workbench.extended.wanted import wanted_light
+from workbench.extended.blurring import ImageBlur
+from workbench.extended.deblur import wanted_light
 from workbench.geometry.surface import nets_of
-from workbench.messages import Message
-from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
-from workbench.optics.paths import ray_paths
 from workbench.optics.plan import device_of
 from workbench.optics.samples import Corners
-from workbench.scene import Scene, Screen, WantedImage
-
-# Rays that tell the directions of light at a receiver, and the degree of polynomials through them.
-_RAYS, _DEGREE = (48, 48), 3
-# Fewer rays do not tell. Those that come to the plane farther out, in half-widths of the screen,
-# are left out; beyond nearly all of the others, directions are as at that border.
-_FEWEST, _NEAR, _NEARLY_ALL = 100, 2.0, (0.002, 0.998)
-
-
-class BeamImages(Protocol):
-    """A plan of images, such as `workbench.optics.beam_plan.BeamPlan`."""
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was chosen and what is left out, in words, for a run's log."""
-        ...
-
-    def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
-        """Image and light account of a lens."""
-        ...
-
-
-class ScatteredPlan:
-    """Images of undeflected light, scattered; see `workbench.optics.beam_plan.BeamPlan`.
-
-    `plan`: makes images of undeflected light in parts of pixels; `scattering`: what the diffuser
-    makes of them; `pixels`: of the receiver.
-    """
-
-    def __init__(self, plan: BeamImages, scattering: Scattering, pixels: tuple[int, int]) -> None:
-        self._plan, self._scattering, self._pixels = plan, scattering, pixels
-        self._blurring: dict[tuple[int, int], LightBlurring] = {}
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """See `BeamImages`."""
-        x, y = self._scattering.widths
-        scattered = Message("the diffuser blurs it over {x:.3g} × {y:.3g} pixels", x=x, y=y)
-        return *self._plan.notes, scattered
-
-    def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
-        """See `BeamImages`."""
-        parts = self._scattering.parts
-        light = self._plan.trace(heights, (parts * margin[0], parts * margin[1]))
-        if margin not in self._blurring:
-            self._blurring[margin] = self._made(margin, light.flux.device)
-        return self._blurring[margin].light(light, self._pixels, margin, parts)
-
-    def _made(self, margin: tuple[int, int], device: torch.device) -> LightBlurring:
-        scattering, (n_x, n_y), (m_x, m_y) = self._scattering, self._pixels, margin
-        parts = scattering.parts
-        factors = scattering.factors_at((parts * n_x, parts * n_y), (parts * m_x, parts * m_y))
-        kernels = scattering.kernels[:, None]
-        return LightBlurring.of(kernels[0], kernels[1:], factors, device)
-
-
-def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Directions | None:
-    """Mean directions in which light of a lens comes to places of a plane.
-
-    None where no polynomials are needed, or too few rays come to the plane.
-    """
-    diffuser, screen = scene.diffuser, scene.receiver
-    about_ray = diffuser is not None and diffuser.scatter.about_ray
-    if not about_ray or not isinstance(screen, Screen):
-        return None
-    found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
-    paths = ray_paths(scene, found, _RAYS)
-    right, up, normal = screen.sides
-    start, end = paths.points[:, -2], paths.points[:, -1]
-    ahead = np.abs((end - start) @ normal)
-    place = (end - np.array(screen.position)) @ np.stack([right, up], axis=1) / screen.half_width
-    near = (paths.weight > 0) & (ahead > 0) & (np.abs(place) < _NEAR).all(axis=1)
-    if np.count_nonzero(near) < _FEWEST:
-        return None
-    place, weight = place[near], np.sqrt(paths.weight[near])
-    slopes = (end - start)[near] / ahead[near, None]
-    terms = weight * powers(place[:, 0], place[:, 1], _DEGREE)
-    factors = np.linalg.lstsq(terms.T, weight[:, None] * slopes)[0]
-    low, high = np.quantile(place, _NEARLY_ALL, axis=0)
-
-    def directions(u: Array, v: Array) -> Array:
-        lit = np.clip(np.stack([u, v], axis=-1) / screen.half_width, low, high)
-        found = powers(lit[:, 0], lit[:, 1], _DEGREE).T @ factors
-        return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True))
-
-    return directions
-
+from workbench.scene import Scene, WantedImage
 
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.
@@ -144,24 +54,14 @@ class WideImage:
         mirrored: tuple[bool, bool] = (False, False),
         blur: LensBlur | None = None,
         asked_light: float | None = None,
-        scattering: Scattering | None = None,
+        scattering: ImageBlur | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        parts = scattering.parts if scattering else 1
-        fine = receiver.model_copy(update={"pixels": (parts * n_x, parts * n_y)})
-        traced = scene.with_receiver(fine)
-        plan: BeamPlan | BlurredPlan = (
-            BlurredPlan(traced, (cells[0], cells[1]), blur.scaled(parts), mirrored)
-            if blur
-            else BeamPlan(traced, cells, mirrored=mirrored)
-        )
-        self._plan: BeamImages = (
-            ScatteredPlan(plan, scattering, receiver.pixels) if scattering else plan
-        )
+        self._plan = plan_of(scene, cells, mirrored, blur, scattering)
         self._margin, self._asked_light = (m_x, m_y), asked_light
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
@@ -172,21 +72,18 @@ class WideImage:
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
-        boxes = isinstance(plan, BeamPlan) and plan.boxes
-        each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1] if boxes else 1.0
+        boxes = blur is None and scene.source.continuous and corners.origins > 1
+        each = 1.0
+        if boxes and corners.of_source is None:
+            each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1]
         self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         device = device_of(scene)
         self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         # Where pixels cover different measures, densities are compared, as shares of all light.
-        seen = Blur.of(scene).seen_in(receiver.pixels)
         flux = share(target * receiver.relative_measure())
-        if scattering is None:
-            wanted = wanted_light(flux, seen, (m_x, m_y))
-        else:
-            source = None if seen.within_a_pixel else seen.spread()[0]
-            wanted = scattering.wanted(flux, (m_x, m_y), source)
+        wanted = wanted_light(flux, _mean_kernel(scene, scattering), (m_x, m_y))
         wanted = wanted / receiver.relative_measure(m_y)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._relative = measure_of(receiver, device)
@@ -218,6 +115,19 @@ class WideImage:
         merit = None if flux.sum() > 0 else math.inf
         state = LensState.traced(heights, flux, self._pixel_measure, loss, account)
         return Step(state, self._plan.notes, merit)
+
+
+def _mean_kernel(scene: Scene, scattering: ImageBlur | None) -> Array | None:
+    """What becomes of light in a pixel by source and diffuser, on average; None if nothing."""
+    source = Blur.of(scene).seen_in(scene.receiver.pixels)
+    kernels = [] if source.within_a_pixel else [source.spread()[0]]
+    if scattering is not None:
+        kernels.append(scattering.of_pixels)
+    if len(kernels) == 2:
+        from scipy.signal import fftconvolve  # late: it takes long to import
+
+        return np.asarray(fftconvolve(*kernels))
+    return kernels[0] if kernels else None
 
 
 def _margin(extent: float, pixels: int, farthest: float) -> int:

@@ -18,18 +18,21 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.arrays import Array
-from workbench.extended.blur import Blur, changes_at
+from workbench.extended.blur import Blur, changes_at, one_over_the_lens
+from workbench.extended.blurring import ImageBlur, powers
+from workbench.extended.scattering import Directions
 from workbench.measured.lamps import of_known_size
 from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
+from workbench.optics.paths import ray_paths
 from workbench.optics.samples import Corners
-from workbench.scene import Scene
+from workbench.scene import Scene, Screen
 
 # Places of the lens that are looked at, and cells of the source: its middle and its rim.
 _PLACES, _RIM = (96, 96), (2, 2)
-_DEGREE = 3
+_DEGREE = 3  # of polynomials
 # Nearly all light lands within what polynomials are fitted to, or it is a bit beyond the receiver:
 # rays that hardly leave the lens land very far out. Farther out blurs are as at that border.
 _NEARLY_ALL, _BEYOND = 0.999, 1.25
@@ -37,16 +40,25 @@ _NEARLY_ALL, _BEYOND = 0.999, 1.25
 # that spread the light; 0.9 in the focus of a bowl, whose image is 0.7 % off with one blur for all
 # of it and 1.7 % with polynomials.
 _LEFT = 0.5
+# Rays that tell the directions of light at a receiver.
+_RAYS = 48, 48
+# Fewer rays do not tell. Those that come to the plane farther out, in half-widths of the screen,
+# are left out; beyond nearly all of the others, directions are as at that border.
+_FEWEST, _NEAR_SCREEN, _NEARLY_ALL_RAYS = 100, 2.0, (0.002, 0.998)
+# Cells of each of many origins, and of the middle of the source, that tell how it is blurred and
+# whether that is the same all over a lens: as many, for light is spread over them too. And the
+# greatest part of the image by which it may differ.
+_MANY_CELLS, _MANY_ORIGINS, _EVEN = (192, 192), 96, 0.03
+# Its widths over those behind a plate: steep faces and long ways to the rim of the receiver make it
+# wider. Images change as their difference over a step does, not farther than some steps.
+_MIDDLE, _STEP, _FARTHEST = 1.01, 0.03, 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class BlurChange:
     """How a blur differs from its mean over an image, by the factors of `changes_at`."""
 
-    # (3, k), of the powers of x and y up to the third, of width along x and along y and of
-    # correlation.
-    factors: Array
-    # Pixels from the middle of the receiver where x and y are 1; beyond, nothing changes.
+    factors: Array  # (3, 4, 4), see `ImageBlur`: of width along x and along y and of correlation
     half_extent: tuple[float, float]
 
     @classmethod
@@ -70,24 +82,13 @@ class BlurChange:
         inside = (np.abs(x) <= far_x) & (np.abs(y) <= far_y)
         if not inside.any():
             return None
-        weight = np.sqrt(spots.flux[inside])
+        weight = np.sqrt(spots.flux[inside])[:, None]
         terms = weight * powers(x[inside] / far_x, y[inside] / far_y, _DEGREE)
-        found = weight * _differences(spots.spread[..., inside], spots.flux[inside])
-        factors = np.linalg.lstsq(terms.T, found.T)[0].T
-        left = np.square(found - factors @ terms).sum()
-        return cls(factors, (far_x, far_y)) if left < _LEFT * np.square(found).sum() else None
-
-    def at(self, pixels: tuple[int, int], margin: tuple[int, int]) -> Array:
-        """Its values in the middles of pixels.
-
-        `pixels`, `margin`: pixels of the receiver along x and y, and of the image beyond them on
-        each side. Returns (3, n_y + 2 m_y, n_x + 2 m_x).
-        """
-        x, y = (
-            ((np.arange(n + 2 * m) - (n + 2 * m - 1) / 2) / far).clip(-1, 1)
-            for n, m, far in zip(pixels, margin, self.half_extent, strict=True)
-        )
-        return np.asarray(np.tensordot(self.factors, powers(x[None, :], y[:, None], _DEGREE), 1))
+        found = weight * _differences(spots.spread[..., inside], spots.flux[inside]).T
+        factors = np.linalg.lstsq(terms, found)[0]
+        if np.square(found - terms @ factors).sum() >= _LEFT * np.square(found).sum():
+            return None
+        return cls(factors.T.reshape(3, _DEGREE + 1, _DEGREE + 1), (far_x, far_y))
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,13 +106,19 @@ class LensBlur:
             change = replace(change, half_extent=(factor * x, factor * y))
         return replace(self, mean=self.mean.scaled(factor), change=change)
 
-
-def powers(x: Array, y: Array, degree: int) -> Array:
-    """Powers of x and y together up to a degree, along the first axis; x and y broadcast."""
-    each = range(degree + 1)
-    return np.stack(
-        np.broadcast_arrays(*(x**i * y**j for i in each for j in each if i + j <= degree))
-    )
+    @property
+    def image_blur(self) -> ImageBlur:
+        """The blur of light in parts of pixels; light of a part lies in its middle."""
+        mean, change = self.mean, self.change
+        places = (np.arange(mean.parts) + 0.5) / mean.parts - 0.5
+        kernels = mean.at(places)[None]
+        factors, half_extent = np.zeros((0, 1, 1)), (1.0, 1.0)
+        if change is not None:
+            kernels = np.concatenate([kernels, changes_at(mean, places)])
+            factors, half_extent = change.factors, change.half_extent
+        x, y = mean.widths
+        note = Message("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
+        return ImageBlur(kernels, factors, half_extent, mean.widths, note)
 
 
 def _differences(spread: Array, flux: Array) -> Array:
@@ -122,47 +129,33 @@ def _differences(spread: Array, flux: Array) -> Array:
 
 
 class LightBlurring:
-    """Blurs light that lies in parts of pixels, and adds changes of the blur.
+    """Blurs light that lies in parts of pixels.
 
     Its own adjoint takes real transforms, where torch's of a real transform is a complex one.
 
-    `kernels` (parts parts, 2 m_y + 1, 2 m_x + 1): blurs about the middles of the parts of a pixel,
-    row by row; `changes` (k, parts parts, 2 m_y + 1, 2 m_x + 1): their changes; `factors` (k, n_y,
-    n_x): what light in each pixel is multiplied by before it is blurred by a change.
+    `kernels` (1 + k, parts parts, 2 m_y + 1, 2 m_x + 1): see `ImageBlur`; `factors` (k, n_y, n_x):
+    what light in each pixel is multiplied by before it is blurred by a change.
     """
 
-    def __init__(self, kernels: Tensor, changes: Tensor, factors: Tensor) -> None:
+    def __init__(self, kernels: Tensor, factors: Tensor) -> None:
         n_y, n_x = self._shape = factors.shape[1], factors.shape[2]
-        m_y, m_x = self._margin = kernels.shape[1] // 2, kernels.shape[2] // 2
+        m_y, m_x = self._margin = kernels.shape[2] // 2, kernels.shape[3] // 2
         self._grid = next_fast_len(n_y + 2 * m_y), next_fast_len(n_x + 2 * m_x)
-        self._kernels, self._factors = self._waves(_by_parts(kernels)), factors
-        self._changes = [self._waves(_by_parts(each)) for each in changes]
+        parts = math.isqrt(kernels.shape[1])
+        by_parts = kernels.reshape(-1, parts, parts, *kernels.shape[2:])
+        self._kernels, self._factors = [self._waves(each) for each in by_parts], factors
 
     @classmethod
     def of(
-        cls, kernels: Array, changes: Array, factors: Array, device: torch.device
+        cls,
+        blur: ImageBlur,
+        pixels: tuple[int, int],
+        margin: tuple[int, int],
+        device: torch.device,
     ) -> "LightBlurring":
-        """Return the blurring by arrays, in float32 on a device."""
-        parts = kernels, changes, factors
-        return cls(*(torch.as_tensor(part, dtype=torch.float32, device=device) for part in parts))
-
-    def light(
-        self, light: Light, pixels: tuple[int, int], margin: tuple[int, int], parts: int = 1
-    ) -> Light:
-        """Light of a receiver and some pixels beyond, blurred, and its account.
-
-        ``parts`` of a pixel along each axis have their own blurred light, which is added up.
-        """
-        (n_x, n_y), (m_x, m_y), account = pixels, margin, light.account
-        # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
-        image = self.image(light.flux.float()).clamp_min(0)
-        if parts > 1:
-            rows, columns = n_y + 2 * m_y, n_x + 2 * m_x
-            image = image.view(rows, parts, columns, parts).sum((1, 3))
-        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x]
-        on_screen = seen.sum(dtype=torch.float64).item()
-        lost = {**account.lost, "off_screen": account.arrived - on_screen}
-        return Light(image, Account(on_screen, lost))
+        """Return the blurring of images with so many pixels and beyond them, in float32."""
+        arrays = blur.kernels, blur.factors_at(pixels, margin)
+        return cls(*(torch.as_tensor(each, dtype=torch.float32, device=device) for each in arrays))
 
     def image(self, light: Tensor) -> Tensor:
         """The image (n_y, n_x) of light in parts (parts n_y, parts n_x); differentiable."""
@@ -174,8 +167,8 @@ class LightBlurring:
         (n_y, n_x), (m_y, m_x) = self._shape, self._margin
         # One image for each place in a pixel: [parts, parts, n_y, n_x].
         places = light.view(n_y, len(light) // n_y, n_x, -1).permute(1, 3, 0, 2)
-        waves = (self._waves(places) * self._kernels).sum((0, 1))
-        for kernels, factor in zip(self._changes, self._factors, strict=True):
+        waves = (self._waves(places) * self._kernels[0]).sum((0, 1))
+        for kernels, factor in zip(self._kernels[1:], self._factors, strict=True):
             waves += (self._waves(places * factor) * kernels).sum((0, 1))
         image: Tensor = torch.fft.irfft2(waves, s=self._grid)
         return image[m_y : m_y + n_y, m_x : m_x + n_x]
@@ -186,8 +179,8 @@ class LightBlurring:
         wide = cotangent.new_zeros(self._grid)
         wide[m_y : m_y + n_y, m_x : m_x + n_x] = cotangent
         waves = torch.fft.rfft2(wide)
-        places = self._means(waves, self._kernels)
-        for kernels, factor in zip(self._changes, self._factors, strict=True):
+        places = self._means(waves, self._kernels[0])
+        for kernels, factor in zip(self._kernels[1:], self._factors, strict=True):
             places = places + self._means(waves, kernels) * factor
         rows, columns, *_ = places.shape
         return places.permute(2, 0, 3, 1).reshape(rows * n_y, columns * n_x)
@@ -217,56 +210,148 @@ class _Blurred(torch.autograd.Function):
         return None, ctx.blurring.backward(cotangent)
 
 
-def _by_parts(kernels: Tensor) -> Tensor:
-    """Kernels by rows and columns of the parts of a pixel, shape (parts, parts, ...)."""
-    parts = math.isqrt(len(kernels))
-    return kernels.reshape(parts, parts, *kernels.shape[1:])
-
-
 class BlurredPlan:
-    """Images of the middle of a source, blurred; as `workbench.optics.beam_plan.BeamPlan`.
+    """Images of another plan, blurred; as `workbench.optics.beam_plan.BeamPlan`.
 
-    `scene`: what is traced; `cells`: cells along x and y between the rays; `blur`: what the parts
-    of the lens make of the source.
+    `plan`: makes images in parts of pixels; `blur`: what becomes of light in these; `pixels`: of
+    the receiver along x and y.
     """
 
     def __init__(
-        self,
-        scene: Scene,
-        cells: tuple[int, int],
-        blur: LensBlur,
-        mirrored: tuple[bool, bool] = (False, False),
+        self, plan: "BeamPlan | BlurredPlan", blur: ImageBlur, pixels: tuple[int, int]
     ) -> None:
-        receiver, self._parts = scene.receiver, blur.mean.parts
-        n_x, n_y = (self._parts * n for n in receiver.pixels)
-        fine = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
-        fine = fine.model_copy(update={"source": scene.source.sharp})
-        self._pixels, self._blur = receiver.pixels, blur
-        self._plan = BeamPlan(fine, Corners(*cells), mirrored=mirrored)
+        self._plan, self._blur, self._pixels = plan, blur, pixels
         self._blurring: dict[tuple[int, int], LightBlurring] = {}
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
-        x, y = self._blur.mean.widths
-        blurred = Message("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
-        return *self._plan.notes, blurred
+        return *self._plan.notes, self._blur.note
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens; see `BeamPlan.trace`."""
-        (m_x, m_y), parts = margin, self._parts
+        (n_x, n_y), (m_x, m_y), parts = self._pixels, margin, self._blur.parts
         sharp = self._plan.trace(heights, (parts * m_x, parts * m_y))
         if margin not in self._blurring:
-            self._blurring[margin] = self._made(margin, sharp.flux.device)
-        return self._blurring[margin].light(sharp, self._pixels, margin)
+            device = sharp.flux.device
+            self._blurring[margin] = LightBlurring.of(self._blur, self._pixels, margin, device)
+        # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
+        image = self._blurring[margin].image(sharp.flux.float()).clamp_min(0)
+        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x]
+        on_screen = seen.sum(dtype=torch.float64).item()
+        lost = {**sharp.account.lost, "off_screen": sharp.account.arrived - on_screen}
+        return Light(image, Account(on_screen, lost))
 
-    def _made(self, margin: tuple[int, int], device: torch.device) -> LightBlurring:
-        """The blurring of images with so many pixels beyond the screen on each side."""
-        (n_x, n_y), (m_x, m_y) = self._pixels, margin
-        mean, change = self._blur.mean, self._blur.change
-        places = (np.arange(self._parts) + 0.5) / self._parts - 0.5
-        kernels = mean.at(places)
-        changes, factors = kernels[None][:0], np.zeros((0, n_y + 2 * m_y, n_x + 2 * m_x))
-        if change is not None:
-            changes, factors = changes_at(mean, places), change.at(self._pixels, margin)
-        return LightBlurring.of(kernels, changes, factors, device)
+
+def plan_of(
+    scene: Scene,
+    cells: tuple[int, int] | Corners,
+    mirrored: tuple[bool, bool] = (False, False),
+    blur: LensBlur | None = None,
+    scattering: ImageBlur | None = None,
+) -> BeamPlan | BlurredPlan:
+    """The plan of images of a scene.
+
+    `cells`, `mirrored`: see `BeamPlan`; `blur`: what the parts of the lens make of the source: only
+    light of its middle is traced then; `scattering`: what a diffuser makes of the light that comes
+    to the receiver.
+    """
+    pixels = scene.receiver.pixels
+    if scattering is not None:
+        parts = scattering.parts
+        finer = plan_of(_finer(scene, parts), cells, mirrored, blur and blur.scaled(parts))
+        return BlurredPlan(finer, scattering, pixels)
+    if blur is None:
+        return BeamPlan(scene, cells, mirrored=mirrored)
+    of_middle = _finer(scene, blur.mean.parts).model_copy(update={"source": scene.source.sharp})
+    plan = BeamPlan(of_middle, Corners(cells[0], cells[1]), mirrored=mirrored)
+    return BlurredPlan(plan, blur.image_blur, pixels)
+
+
+def _finer(scene: Scene, parts: int) -> Scene:
+    n_x, n_y = (parts * n for n in scene.receiver.pixels)
+    return scene.with_receiver(scene.receiver.model_copy(update={"pixels": (n_x, n_y)}))
+
+
+def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Directions | None:
+    """Mean directions in which light of a lens comes to places of a plane.
+
+    None where no polynomials are needed, or too few rays come to the plane.
+    """
+    diffuser, screen = scene.diffuser, scene.receiver
+    about_ray = diffuser is not None and diffuser.scatter.about_ray
+    if not about_ray or not isinstance(screen, Screen):
+        return None
+    found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
+    paths = ray_paths(scene, found, _RAYS)
+    right, up, normal = screen.sides
+    start, end = paths.points[:, -2], paths.points[:, -1]
+    ahead = np.abs((end - start) @ normal)
+    place = (end - np.array(screen.position)) @ np.stack([right, up], axis=1) / screen.half_width
+    near = (paths.weight > 0) & (ahead > 0) & (np.abs(place) < _NEAR_SCREEN).all(axis=1)
+    if np.count_nonzero(near) < _FEWEST:
+        return None
+    place, weight = place[near], np.sqrt(paths.weight[near])[:, None]
+    slopes = (end - start)[near] / ahead[near, None]
+    terms = weight * powers(place[:, 0], place[:, 1], _DEGREE)
+    factors = np.linalg.lstsq(terms, weight * slopes)[0]
+    low, high = np.quantile(place, _NEARLY_ALL_RAYS, axis=0)
+
+    def directions(u: Array, v: Array) -> Array:
+        lit = np.clip(np.stack([u, v], axis=-1) / screen.half_width, low, high)
+        found = powers(lit[:, 0], lit[:, 1], _DEGREE) @ factors
+        return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True))
+
+    return directions
+
+
+def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None:
+    """What the parts of a lens make of a source of some size; None where they differ too much.
+
+    All origins are traced once, and compared with the light of the middle of the source, blurred by
+    different widths. The width behind a plate is short of that behind steep faces: by 2 % for a
+    photograph in the sun, of which a run then saw 1.9 % in place of 2.2 % as its error. How the
+    blur differs from place to place of the image comes from single rays.
+
+    `heights` (n_u, n_v): control heights of a lens like those to come.
+    """
+    if not one_over_the_lens(scene):
+        return None
+    blur = Blur.of(scene, heights[scene.optic.designed_face].mean().item())
+    if blur.seen_in(scene.receiver.pixels) != blur:
+        return None
+    change = BlurChange.of(scene, heights)
+    margin = blur.scaled(_MIDDLE + _STEP).margin
+
+    def wider(x: float, y: float) -> Blur:
+        return replace(blur, widths=(x * blur.widths[0], y * blur.widths[1]))
+
+    def blurred(x: float, y: float) -> Array:
+        """The light of the middle with a blur so many times as wide along x and y."""
+        plan = plan_of(scene, _MANY_CELLS, blur=LensBlur(wider(x, y), change))
+        return _image(plan, heights, margin)
+
+    with torch.no_grad():
+        traced = _image(BeamPlan(scene, Corners(*_MANY_CELLS, _MANY_ORIGINS)), heights, margin)
+        middle = blurred(_MIDDLE, _MIDDLE)
+        steps = [
+            (blurred(_MIDDLE + x, _MIDDLE + y) - blurred(_MIDDLE - x, _MIDDLE - y)) / 2
+            for x, y in ((_STEP, 0), (0, _STEP))
+        ]
+    best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
+    x, y = (_MIDDLE + _STEP * part for part in best.clip(-_FARTHEST, _FARTHEST).tolist())
+    from scipy.signal import fftconvolve  # late: it takes long to import
+
+    # Origins make dots of narrow light, which are no difference of the lens.
+    even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, middle)]
+    unlike = np.linalg.norm(even[1] - even[0])
+    if unlike >= _EVEN * np.linalg.norm(even[0]):
+        return None
+    return LensBlur(wider(x, y), change)
+
+
+def _image(
+    plan: BeamPlan | BlurredPlan, heights: Mapping[str, Tensor], margin: tuple[int, int]
+) -> Array:
+    """The image that a plan makes of a lens."""
+    return np.asarray(plan.trace(heights, margin).flux.double().cpu().numpy())

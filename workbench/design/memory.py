@@ -10,8 +10,7 @@ import math
 
 from workbench.design.descent import remembered
 from workbench.design.images import MARGINS
-from workbench.design.levels import FINE, cells_of
-from workbench.design.near_sources import source_cells
+from workbench.design.levels import FINE, cells_of, source_cells
 from workbench.design.transport.one_face import cells_for
 from workbench.design.transport.two_faces import cells_of_faces
 from workbench.errors import Refused

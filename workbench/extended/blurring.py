@@ -1,10 +1,69 @@
-"""Blurring of light and its adjoint, by Fourier transforms."""
+"""What becomes of light in parts of pixels: kernels, their change over an image, convolutions.
+
+A source is a set of points or directions (`workbench.optics.sources`). Where all places of a lens
+make the same of it, light of its middle alone is traced, and `ImageBlur` is what is left of its
+size. A diffuser is an `ImageBlur` too.
+"""
+
+import math
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 from scipy import fft
 
 from workbench.arrays import AnyArray, Array
+from workbench.messages import Message
+
+
+@dataclass(frozen=True, eq=False)
+class ImageBlur:
+    """A blur of an image: a mean kernel, and changes of it with the place on the image."""
+
+    # (1 + k, parts parts, 2 m_y + 1, 2 m_x + 1), the mean and its changes, by pixels: what becomes
+    # of the light in each part of a pixel, row by row. Light that goes farther is missing.
+    kernels: Array
+    factors: Array  # (k, degree + 1, degree + 1), of the changes, by powers of y and of x
+    # Pixels from the middle of the image where x and y are 1; beyond, it stays. Rows go down.
+    half_extent: tuple[float, float]
+    widths: tuple[float, float]  # full widths along x and y of a disc that blurs as much, pixels
+    note: Message
+
+    @property
+    def parts(self) -> int:
+        """Parts of a pixel along each axis."""
+        return math.isqrt(self.kernels.shape[1])
+
+    @property
+    def of_pixels(self) -> Array:
+        """The mean kernel of light that is uniform in a pixel."""
+        return np.asarray(self.kernels[0].mean(axis=0))
+
+    def factors_at(self, pixels: tuple[int, int], margin: tuple[int, int]) -> Array:
+        """Factors (k, n_y + 2 m_y, n_x + 2 m_x) of the changes in the middles of pixels.
+
+        `pixels`, `margin`: pixels of the image along x and y, and beyond it on each side.
+        """
+        x, y = (
+            ((np.arange(n + 2 * m) - (n + 2 * m - 1) / 2) / far).clip(-1, 1)
+            for n, m, far in zip(pixels, margin, self.half_extent, strict=True)
+        )
+        by_powers = np.moveaxis(self.factors, 0, -1)
+        return np.asarray(np.polynomial.polynomial.polygrid2d(y, x, by_powers))
+
+
+def powers(x: Array, y: Array, degree: int) -> Array:
+    """Products (n, (degree + 1)²) of powers of y and x (n,), as `ImageBlur.factors` has them."""
+    return np.asarray(np.polynomial.polynomial.polyvander2d(y, x, [degree, degree]), np.float64)
+
+
+def near(kernels: Array, shape: tuple[int, ...]) -> Array:
+    """Kernels (..., rows, columns) as far as half an image of a shape, with all of their light."""
+    middles = [size // 2 for size in kernels.shape[-2:]]
+    reach = [min(m, n // 2) for m, n in zip(middles, shape, strict=True)]
+    rows, columns = (slice(m - k, m + k + 1) for m, k in zip(middles, reach, strict=True))
+    found = kernels[..., rows, columns]
+    return np.asarray(found / found.sum(axis=(-2, -1), keepdims=True))
 
 
 class Blurring:

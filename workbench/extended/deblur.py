@@ -16,13 +16,14 @@ the distance of the result from the optimum, and decides when to stop.
 
 import math
 from collections.abc import Generator, Iterator, Sequence
-from typing import NamedTuple, Protocol
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
 from workbench.arrays import AnyArray, Array
 from workbench.extended.blur import Blur
-from workbench.extended.blurring import Blurring
+from workbench.extended.blurring import Blurring, near
 from workbench.extended.certificate import Certifier
 from workbench.progress import check_given_up, finished
 
@@ -164,25 +165,61 @@ def error_allowing(target: Array, blur: Blur) -> Generator[None, None, float]:
     return float(np.linalg.norm(image - wanted) / np.linalg.norm(wanted))
 
 
-class Spreading(Protocol):
-    """A blur whose kernels for uniform light in parts of a pixel are known; see `Blur.spread`."""
-
-    def spread(self, parts: int = 1) -> Array:
-        """Return kernels (parts parts, 2 m_y + 1, 2 m_x + 1)."""
-        ...
-
-
-def spread_light(target: Array, blur: Spreading, parts: int = 1) -> Array:
+def spread_light(target: Array, kernels: Array) -> Array:
     """Return the light, uniform in each part of a pixel, that is closest when blurred.
 
-    A lens can make that, unlike light at single points or with sharp edges. It has the shape (parts
-    (n_y + 2 m_y), parts (n_x + 2 m_x)), otherwise as in `Deblurred`.
+    A lens can make that, unlike light at single points or with sharp edges. `target` (n_y, n_x);
+    `kernels` (parts parts, 2 m_y + 1, 2 m_x + 1): of light in the parts of a pixel, row by row. It
+    has the shape (parts (n_y + 2 m_y), parts (n_x + 2 m_x)), otherwise as in `Deblurred`.
     """
-    *_, search = _search([_Level(blur.spread(parts), _SPREAD_STEPS)], target / target.sum())
-    light = search.result().light
+    share = target / target.sum()
+    return _kept_light(share.tobytes(), share.shape, kernels.tobytes(), kernels.shape).copy()
+
+
+@lru_cache(maxsize=4)  # a first design and both images of a run need the same one
+def _kept_light(
+    target: bytes, shape: tuple[int, ...], kernels: bytes, sizes: tuple[int, ...]
+) -> Array:
+    level = _Level(np.frombuffer(kernels).reshape(sizes), _SPREAD_STEPS)
+    *_, search = _search([level], np.frombuffer(target).reshape(shape))
+    light, parts = search.result().light, math.isqrt(sizes[0])
     rows, columns = light.shape[1:]
     light = light.reshape(parts, parts, rows, columns).transpose(2, 0, 3, 1)
     return np.asarray(light.reshape(rows * parts, columns * parts))
+
+
+def wanted_light(target: Array, kernel: Array | None, margin: tuple[int, int]) -> Array:
+    """Return the light wanted on a receiver and around it, (n_y + 2 m_y, n_x + 2 m_x).
+
+    Blurred light that makes a bright border also falls beyond it. If that counted as an error,
+    borders would be left dark. On the receiver it is the target (n_y, n_x); beside it, the light
+    there of the light that, blurred, is closest to the target. What falls farther away is missing
+    from a sum of 1. `kernel`: blur of uniform light in a pixel; None without one.
+
+    Examples
+    --------
+    Half of the blur of a bright border falls beyond it:
+
+    >>> import numpy as np
+    >>> blurred = wanted_light(np.ones((40, 40)), Blur((5.0, 5.0)).spread()[0], (2, 2))
+    >>> bool(blurred[0].sum() > 0)
+    True
+    >>> wanted_light(np.ones((40, 40)), None, (2, 2))[:2].sum().item()
+    0.0
+    """
+    share, (n_y, n_x), (m_x, m_y) = target / target.sum(), target.shape, margin
+    if kernel is None:
+        return np.pad(share, ((m_y, m_y), (m_x, m_x)))
+    from scipy.signal import fftconvolve  # slow import
+
+    light = spread_light(share, near(kernel[None], share.shape))
+    wide = fftconvolve(light, kernel).clip(min=0) / light.sum()
+    top, left = ((w - n) // 2 for w, n in zip(wide.shape, share.shape, strict=True))
+    wide = np.pad(wide, ((m_y, m_y), (m_x, m_x)))
+    cut = wide[top : top + n_y + 2 * m_y, left : left + n_x + 2 * m_x]
+    seen = slice(m_y, m_y + n_y), slice(m_x, m_x + n_x)
+    cut[seen] = share * cut[seen].sum()
+    return cut
 
 
 class _Level(NamedTuple):

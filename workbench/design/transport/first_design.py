@@ -24,8 +24,9 @@ from workbench.design.transport.one_face import first_error, transport_start
 from workbench.design.transport.shared import shared_start
 from workbench.design.transport.two_faces import line_start, split_start
 from workbench.extended.blur import Blur, one_over_the_lens
+from workbench.extended.blurring import near
 from workbench.extended.deblur import spread_light
-from workbench.extended.scattering import Scattering, film_scene
+from workbench.extended.scattering import film_scene, scattering_of
 from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
@@ -179,13 +180,6 @@ def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     return {front[0]: np.full(front[1].shape, flat.optic.front_z), back[0]: heights}
 
 
-class _SharpTask(NamedTuple):
-    """A task for light that nothing blurs."""
-
-    scene: Scene
-    target: Array
-
-
 def first_design(
     scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES
 ) -> First | None:
@@ -193,12 +187,12 @@ def first_design(
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v).
     """
-    scattering = Scattering.of(scene) if len(scene.images) == 1 else None
+    scattering = scattering_of(scene) if len(scene.images) == 1 else None
     scene = film_scene(scene)
     several = len(scene.designed_numbers) > 1
     scene = scene if several else scene.alone
     if scattering is not None:
-        scene, target = _grown(scene, *scattering.unscattered(target))
+        scene, target = _sharpened(scene, target, near(scattering.kernels[0], target.shape))
     if several:
         heights = shared_start(scene, target, fixed)
         return None if heights is None else First(heights)
@@ -210,7 +204,11 @@ def first_design(
         return first_of(scene, target, fixed)
     # How far the designed face is from the receiver tells how wide the blur is.
     face_z = _face_z(scene, target, fixed)
-    return None if face_z is None else first_of(*_sharp_task(scene, target, face_z), fixed)
+    if face_z is None:
+        return None
+    blur = Blur.of(scene, face_z).seen_in(scene.receiver.pixels)
+    scene, target = _sharpened(scene, target, blur.spread(blur.parts))
+    return first_of(scene.model_copy(update={"source": scene.source.sharp}), target, fixed)
 
 
 def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | None:
@@ -228,22 +226,15 @@ def _roughly(scene: Scene) -> Scene:
     return scene.with_optic(scene.optic.shaped(control_points=(n_u, n_v)))
 
 
-def _sharp_task(scene: Scene, target: Array, exit_z: float) -> _SharpTask:
-    """The task whose light, blurred from an exit face at ``exit_z``, comes closest to a target."""
-    receiver = scene.receiver
-    blur = Blur.of(scene, exit_z).seen_in(receiver.pixels)
-    parts = blur.parts
-    light = spread_light(target, blur, parts)
-    wide, light = _grown(scene, light, blur.margin, parts)
-    return _SharpTask(wide.model_copy(update={"source": scene.source.sharp}), light)
+def _sharpened(scene: Scene, target: Array, kernels: Array) -> tuple[Scene, Array]:
+    """The task for the light that, blurred, comes closest to a target, in parts of pixels.
 
-
-def _grown(
-    scene: Scene, light: Array, blur_margin: tuple[int, int], parts: int = 1
-) -> tuple[Scene, Array]:
-    """The task for light in parts of pixels that has the margin of a blur."""
-    receiver = scene.receiver
-    # Some of it may be beside the receiver, as far as there is light.
+    `kernels` (parts parts, 2 m_y + 1, 2 m_x + 1): of uniform light in these parts. The receiver
+    grows by the margin of the blur, as far as there is light.
+    """
+    receiver, parts = scene.receiver, math.isqrt(len(kernels))
+    light = spread_light(target, kernels)
+    blur_margin = kernels.shape[2] // 2, kernels.shape[1] // 2
     margin = [
         m if np.isinf(most) else min(m, int((most / r - 1) / 2 * n))
         for m, most, r, n in zip(
