@@ -20,7 +20,7 @@ from tests.scenes import changed
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.kernels import compile_all
 from workbench.analysis.validation import validate
-from workbench.design.methods import Evaluator
+from workbench.design.run import Evaluator
 from workbench.design.limits import undesigned
 from workbench.design.run import run
 from workbench.errors import RunFailed

@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 from tests.scenes import changed
 from workbench.design.brush import Stroke, bump
 from workbench.design.levels import source_cells
-from workbench.design.methods import Evaluator
-from workbench.design.run import run
+from workbench.design.run import Evaluator, run
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 

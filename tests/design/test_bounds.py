@@ -18,7 +18,7 @@ def corner():
 
 
 def ends(bounds):
-    free = bounds.height_range().ranges["lens.back"]
+    free = bounds.height_range()["lens.back"]
     return free.lower.min().item(), free.upper.max().item()
 
 

@@ -31,10 +31,10 @@ def lens_with(base, thickness=0.05):
 def test_the_undesigned_lens_is_the_base_plus_the_middle_of_the_range(base):
     lens = lens_with(base)
     net = ControlNet.of(lens)
-    free = HeightRange.of(lens, net)
+    free = HeightRange.within(HeightLimits.of(lens, net))
     x, y = net.positions
     expected = lens.base.height_at(x[:, None], y[None, :]) + 0.05
-    assert free.heights(free.rest)["lens.back"].numpy() == pytest.approx(expected, abs=1e-14)
+    assert free.heights(free.rest).numpy() == pytest.approx(expected, abs=1e-14)
 
 
 @given(
@@ -46,9 +46,9 @@ def test_the_undesigned_lens_is_the_base_plus_the_middle_of_the_range(base):
 def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, base, thickness):
     lens = lens_with(base, thickness)
     net = ControlNet.of(lens)
-    free = HeightRange.of(lens, net)
+    free = HeightRange.within(HeightLimits.of(lens, net))
     parameters = torch.as_tensor(np.random.default_rng(seed).normal(0, size, net.shape))
-    heights = free.heights(parameters)["lens.back"].numpy()
+    heights = free.heights(parameters).numpy()
     x, y = net.positions
     offset = heights - lens.base.height_at(x[:, None], y[None, :])
     assert offset.max() <= 0.3 + 1e-12

@@ -7,12 +7,13 @@ import torch
 
 from workbench.design import parametrisation
 from workbench.design.bounds import HeightRange
+from workbench.design.limits import HeightLimits
 from workbench.design.loss import paper_loss, share
-from workbench.design.paper import Network, build
-from workbench.design.parametrisation import (
+from workbench.design.net import (
     link_count,
     parameter_count,
 )
+from workbench.design.paper import Network, build
 from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
@@ -104,7 +105,7 @@ def test_starts_have_the_distributions_of_the_paper(kind):
 def test_the_gradient_is_that_of_central_differences(make_scene, kind):
     scene = paper(make_scene)
     net = ControlNet.of(scene.optic)
-    free = HeightRange.of(scene.optic, net)
+    free = HeightRange.within(HeightLimits.of(scene.optic, net))
     plan = Plan(scene, dtype=torch.float64)
     wanted = torch.as_tensor(share(load_target(scene, None)))
     module = Network(net, kind, torch.float64)
@@ -114,7 +115,9 @@ def test_the_gradient_is_that_of_central_differences(make_scene, kind):
             parameter.uniform_(-0.1, 0.1, generator=generator)
 
     def loss():
-        return paper_loss(plan.trace(free.heights(free.rest + module())).flux, wanted)
+        return paper_loss(
+            plan.trace({"lens.back": free.heights(free.rest + module())}).flux, wanted
+        )
 
     gradients = torch.autograd.grad(loss(), list(module.parameters()))
     for parameter, gradient in zip(module.parameters(), gradients, strict=True):

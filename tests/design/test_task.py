@@ -10,8 +10,8 @@ from PIL import Image
 
 from tests.accounts import result_of
 from tests.lamps import PLATE, downlight
-from workbench.design.checks import check_stages, grazed
-from workbench.design.run import run
+from workbench.design.checks import grazed
+from workbench.design.run import check_stages, run
 from workbench.design.session import KeptRun, Session
 from workbench.design.task import begin, origin, with_task
 from workbench.errors import Refused

@@ -67,13 +67,14 @@ class Case(NamedTuple):
         optic, rng = self.scene.optic, np.random.default_rng(self.seed)
         found = {}
         for face, limits in HeightLimits.of_faces(optic).items():
-            free = HeightRange.within(limits, face=face)
+            free = HeightRange.within(limits)
             noise = rng.normal(size=free.rest.shape)
             if self.face == "critical":
                 found[face] = self._roof(face, free, noise)
                 continue
             shift = -3.0 if self.face == "floor" else 0.0
-            found |= free.heights(free.rest + SIZES[self.face] * torch.as_tensor(noise) + shift)
+            moved = free.rest + SIZES[self.face] * torch.as_tensor(noise) + shift
+            found[face] = free.heights(moved)
         return found
 
     def _roof(self, face: str, free: HeightRange, noise: Array) -> torch.Tensor:
@@ -84,7 +85,7 @@ class Case(NamedTuple):
         optic = self.scene.optic
         steep = (optic.index**2 - 1) ** -0.5 if optic.index > 1 else 1.0
         roof = np.abs(freeform_nets(optic)[face].positions[0])[:, None] * steep
-        wanted = free.heights(free.rest)[face].numpy() + roof - roof.mean()
+        wanted = free.heights(free.rest).numpy() + roof - roof.mean()
         wanted = wanted * (1 + 1e-7 * noise)
         return torch.as_tensor(np.clip(wanted, free.lower.numpy(), free.upper.numpy()))
 

@@ -21,7 +21,7 @@ from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
 from workbench.design.limits import HeightLimits, bounded
-from workbench.design.methods import Evaluator
+from workbench.design.run import Evaluator
 from workbench.design.snapshot import History
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays

@@ -1,6 +1,6 @@
 """Bounds of the control heights of a run, and whether the task fits within them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -25,56 +25,43 @@ class HeightRange:
     """Open interval of each control height of a face, entered through tanh.
 
     De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole face then keeps
-    within the limits, and both faces apart by the minimal thickness, at every iteration.
+    within the limits, and both faces apart by the minimal thickness, at every iteration. All arrays
+    have the shape (n_u, n_v), in scene units.
     """
 
-    # (n_u, n_v), ends of the interval, scene units.
+    # Ends of the interval.
     lower: Tensor
     upper: Tensor
-    # (n_u, n_v), parameters of the undesigned lens: base plus the middle of the height range.
-    rest: Tensor
-    kept: Tensor | None = None  # (n_u, n_v), heights that no parameter changes; NaN where one does
-    face: str = "lens.back"  # name of the face
-
-    @classmethod
-    def of(
-        cls, optic: Element, net: ControlNet, device: torch.device | str = "cpu"
-    ) -> "HeightRange":
-        """The range that an optic allows on a control net of its shaped face; see `within`."""
-        return cls.within(HeightLimits.of(optic, net), device, optic.designed_face)
+    rest: Tensor  # parameters of the undesigned lens: base plus the middle of the height range
+    kept: Tensor | None = None  # heights that no parameter changes; NaN where one does
 
     @classmethod
     def within(
-        cls, limits: HeightLimits, device: torch.device | str = "cpu", face: str = "lens.back"
+        cls,
+        limits: HeightLimits,
+        device: torch.device | str = "cpu",
+        locked: Mask | None = None,
+        start: Array | None = None,
     ) -> "HeightRange":
-        """The range between the limits of a face.
+        """The range between the limits of a face; locked points keep their heights exactly.
 
-        Raises `ValueError` if the lens leaves its range to the run; see `Bounds`.
+        `locked`: which, none by default; `start`: their heights, in the range or not; those of the
+        undesigned lens by default. Raises `ValueError` if the lens leaves its range to the run; see
+        `Bounds`.
         """
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
         ends = limits.lower, limits.upper
         parts = (*ends, _inside(limits.undesigned, *ends))
-        lower, upper, rest = (torch.as_tensor(part, device=device) for part in parts)
-        return cls(lower, upper, rest, face=face)
-
-    def keeping(self, locked: Mask | None, start: Array | None) -> "HeightRange":
-        """The same range, but locked control points keep their heights exactly.
-
-        `locked` (n_u, n_v): which; none by default; `start` (n_u, n_v): their heights, in the range
-        or not; those of the undesigned lens by default.
-        """
+        found = cls(*(torch.as_tensor(part, device=device) for part in parts))
         if locked is None:
-            return self
-        heights = self._heights(self.rest).cpu().numpy() if start is None else start
-        kept = torch.as_tensor(np.where(locked, heights, np.nan), device=self.lower.device)
-        return replace(self, kept=kept)
+            return found
+        heights = found.heights(found.rest).cpu().numpy() if start is None else start
+        kept = torch.as_tensor(np.where(locked, heights, np.nan), device=device)
+        return replace(found, kept=kept)
 
-    def heights(self, parameters: Tensor) -> Mapping[str, Tensor]:
-        """Control heights (n_u, n_v) of parameters, by the name of the face."""
-        return {self.face: self._heights(parameters)}
-
-    def _heights(self, parameters: Tensor) -> Tensor:
+    def heights(self, parameters: Tensor) -> Tensor:
+        """Control heights of parameters."""
         free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
         return free if self.kept is None else torch.where(self.kept.isnan(), free, self.kept)
 
@@ -84,49 +71,34 @@ class HeightRange:
         return torch.as_tensor(_inside(heights, lower, upper), device=self.lower.device)
 
 
-class FreeHeights:
-    """The ranges of all freeform faces of a lens; parameters and heights by the names of faces.
-
-    `ranges`: one for each face, in the order in which light meets them. `ranges`: the same by the
-    names of their faces.
-    """
-
-    def __init__(self, ranges: Iterable[HeightRange]) -> None:
-        self.ranges = {each.face: each for each in ranges}
-
-    @property
-    def rest(self) -> dict[str, Tensor]:
-        """Parameters of the undesigned lens."""
-        return {face: each.rest for face, each in self.ranges.items()}
+class FreeHeights(dict[str, HeightRange]):
+    """The ranges of all freeform faces by their names, in the order in which light meets them."""
 
     @property
     def apart(self) -> dict[str, Tensor]:
-        """The same, but faces that are all at an end of their range are in its middle.
+        """Parameters of the undesigned lens, or the middle for faces at an end of their range.
 
         An entrance face with an automatic range begins at the lower end of it, for instance. There
         the tanh passes next to no gradient.
         """
+        rest = {face: each.rest for face, each in self.items()}
         return {
             face: torch.where((z.abs() > _AT_END).all(), torch.zeros_like(z), z)
-            for face, z in self.rest.items()
+            for face, z in rest.items()
         }
 
     @property
     def widths(self) -> dict[str, float]:
         """How wide the ranges are on average, scene units."""
-        return {face: (each.upper - each.lower).mean().item() for face, each in self.ranges.items()}
+        return {face: (each.upper - each.lower).mean().item() for face, each in self.items()}
 
     def heights(self, parameters: Mapping[str, Tensor]) -> dict[str, Tensor]:
         """Control heights of parameters."""
-        return {
-            face: height
-            for face, each in self.ranges.items()
-            for height in each.heights(parameters[face]).values()
-        }
+        return {face: each.heights(parameters[face]) for face, each in self.items()}
 
     def parameters(self, heights: Mapping[str, Array]) -> dict[str, Tensor]:
         """Parameters of control heights; see `HeightRange.parameters`."""
-        return {face: each.parameters(heights[face]) for face, each in self.ranges.items()}
+        return {face: each.parameters(heights[face]) for face, each in self.items()}
 
 
 def _inside(heights: Array, lower: Array, upper: Array) -> Array:
@@ -246,9 +218,9 @@ class Bounds:
 
     def height_range(self, device: torch.device | str = "cpu") -> FreeHeights:
         """The ranges of a run that optimises: finite, locked control points left out."""
-        start = self.start or {}
+        start, locked = self.start or {}, self.locked
         return FreeHeights(
-            HeightRange.within(limits, device, face).keeping(self.locked.get(face), start.get(face))
+            (face, HeightRange.within(limits, device, locked.get(face), start.get(face)))
             for face, limits in self._limits_with(self._ranged, ranged=True).items()
         )
 

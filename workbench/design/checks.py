@@ -1,62 +1,23 @@
-"""Checks of a task before its run, and of its net after the run."""
+"""What a person should know of a task before its run, and of its net after the run."""
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import torch
 
-from workbench.arrays import Array, Mask
-from workbench.design.limits import CLOSEST, HeightLimits
+from workbench.arrays import Array
 from workbench.design.loss import relative_error
-from workbench.design.methods import method_of
 from workbench.design.net import definite
 from workbench.design.snapshot import Result, has_converged
-from workbench.errors import Refused
 from workbench.extended.blur import Blur
-from workbench.geometry.body import check_body
-from workbench.geometry.surface import nets_of
 from workbench.messages import Message
-from workbench.optics.plan import device_of
-from workbench.optics.sources import emitter_of
 from workbench.scene import AutoNet, Scene
 from workbench.scene.image import pixel_side
-from workbench.scene.run import refused_in_stage
 
-# Places of the optic along each axis at which its source has to shine somewhere.
-_LOOKED_AT = 65
 # Degrees from across the receiver beyond which light grazes it. A photograph on a wall that is met
 # at 55 to 78 degrees is 1.5 to 1.9 % off, one at 86 degrees 4.4 %.
 _GRAZES = 80.0
 # Part of its light by which a picture may differ from its mirror image for being drawn in pixels.
 _SYMMETRIC = 0.02
-
-
-def check_stages(
-    scenes: Sequence[Scene],
-    first: int,
-    start: Mapping[str, Array] | None,
-    locked: Mapping[str, Mask],
-) -> None:
-    """Refuse a run that could not be carried to its end.
-
-    `scenes`: as `Scene.stage_scenes` gives them; the last is the scene itself; `first`: number of
-    the stage that the run begins with. Raises `Refused` with the path of the field, in its stage if
-    it is one.
-    """
-    finished = scenes[-1]
-    for stage, part in enumerate(scenes[first:], first):
-        with refused_in_stage(stage, len(scenes) - 1, part):
-            device_of(part)
-            method_of(part).check(part)
-            _check_lit(part)
-            _check_fixed(part, start or {})
-            if locked:
-                _check_net(part, finished)
-    if locked and start is not None:
-        limits = HeightLimits.of_scene(finished, CLOSEST)
-        kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
-        check_body(finished, kept)
 
 
 def grazed(scene: Scene) -> Message | None:
@@ -90,46 +51,6 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Message | None:
                 receiver=part.receiver.called,
             )
     return None
-
-
-def _check_lit(part: Scene) -> None:
-    """Refuse a source that shines away from the optic, as a lamp that is turned around."""
-    places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
-    source, first = part.entrance
-    r_x, r_y = first.half_width
-    x, y = torch.cartesian_prod(r_x * places, r_y * places).T
-    if not emitter_of(source, first).towards(x, y).flux.any():
-        raise Refused(
-            "source",
-            Message(
-                "none of its light goes to the {optic}; turn or move it", optic=part.optic.called
-            ),
-        )
-
-
-def _check_fixed(part: Scene, start: Mapping[str, Array]) -> None:
-    """Refuse a fixed face without control heights."""
-    for number, element in enumerate(part.elements):
-        for placed, face in element.fixed_faces:
-            if face.content is None and placed.name not in start:
-                raise Refused(
-                    f"elements[{number}].{placed.path}.heights",
-                    Message("the control heights of the fixed face are missing; a file (.npy)"),
-                )
-
-
-def _check_net(part: Scene, finished: Scene) -> None:
-    """Refuse another net than that of the finished lens, which the locks are about."""
-    if nets_of(part) != nets_of(finished):
-        raise Refused(
-            f"{part.face_path()}.control_points",
-            Message(
-                "{net} are not the control points of the finished {optic} that are locked; leave "
-                "the stage's net out or unlock them",
-                net=list(part.optic.net_shape),
-                optic=part.optic.called,
-            ),
-        )
 
 
 # Errors from here on are high, and a net of so many times the control points along an axis is much

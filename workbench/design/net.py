@@ -1,4 +1,4 @@
-"""How many control points a lens is worth where its scene leaves that to the program.
+"""Sizes of a run: control points that a lens is worth, and parameters of the paper's method.
 
 Finer nets take longer. A flame of 256 x 256 pixels is 1.68 % off with 448 x 448 control points
 after 8.6 s, 1.50 % with 480 x 480 after 10.3 s and 1.44 % with 520 x 520 after 10.2 s: 480 is the
@@ -14,7 +14,11 @@ import math
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.errors import Refused
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.measured.lamps import of_known_size
+from workbench.messages import Message
+from workbench.process import as_bytes, available_memory
 from workbench.scene import Scene
 from workbench.scene.faces import LARGEST_NET
 
@@ -42,6 +46,9 @@ _DARKEST, _OF_DIFFERENCES, _LEFT_OUT_IN_THE_DARK = 0.1, 0.077, 0.01
 # and spots and lines much narrower than the blur are what comes nearest to the target: a letter, of
 # which it blurs a forty-fourth, is 6.8 % off with 192 x 192 and 5.7 % with 384 x 384.
 _PER_BLUR, _PER_FAR_BLUR = 5.0, 9.0
+
+# A parameter, its gradient and Adam's two moments.
+_COPIES = 4
 
 
 def definite(scene: Scene, target: Array) -> Scene:
@@ -120,3 +127,58 @@ def _for_dark_places(target: Array, axis: int) -> float:
 def _worth_of_light(blur: float, half_width: float, per_blur: float) -> float:
     """Control points along an axis that are seen through a blur."""
     return math.inf if blur == 0 else per_blur * 2 * half_width / blur
+
+
+def parameter_count(scene: Scene) -> int:
+    """How many numbers a run optimises.
+
+    Networks have three layers of as many neurons as there are control heights. The first hangs
+    on the input 1; the two others are linked to the layer before, fully or within the
+    neighbourhood. Every link has a weight and every neuron a bias.
+    """
+    return sum(_parameters_of_face(scene, net) for net in nets_of(scene).values())
+
+
+def _parameters_of_face(scene: Scene, net: ControlNet) -> int:
+    neurons = math.prod(net.shape)
+    match scene.run.parametrisation:
+        case "sparse":
+            links = link_count(net)
+        case "dense":
+            links = neurons**2
+        case _:
+            return neurons
+    return 2 * neurons + 2 * (links + neurons)
+
+
+def link_count(net: ControlNet) -> int:
+    """Links into a layer whose neurons see (2p + 1) × (2q + 1) neighbours, less at the border."""
+    return math.prod(
+        n * (2 * p + 1) - p * (p + 1) for n, p in zip(net.shape, net.degree, strict=True)
+    )
+
+
+def memory_bytes(scene: Scene) -> int:
+    """Memory of all parameters with their gradients and both of Adam's moments."""
+    bytes_each = 8 if scene.run.parametrisation == "none" else 4
+    return parameter_count(scene) * bytes_each * _COPIES
+
+
+def check_memory(scene: Scene) -> None:
+    """Refuse what would not fit, before it is built.
+
+    Raises `Refused` with the memory that is needed and that is there.
+    """
+    needed, available = memory_bytes(scene), available_memory(scene.run.device)
+    if needed > available:
+        raise Refused(
+            "run.parametrisation",
+            Message(
+                "'{name}' has {count:,} parameters here and needs {needed} for them, their "
+                "gradient and Adam's moments; {available} are free",
+                name=scene.run.parametrisation,
+                count=parameter_count(scene),
+                needed=as_bytes(needed),
+                available=as_bytes(available),
+            ),
+        )

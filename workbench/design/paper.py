@@ -24,7 +24,7 @@ from workbench.design.loss import (
     paper_loss,
     share,
 )
-from workbench.design.parametrisation import check_memory
+from workbench.design.net import check_memory
 from workbench.design.smoothness import Smoothness
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, nets_of

@@ -1,4 +1,4 @@
-"""A design run: a generator of immutable snapshots.
+"""A design run, a generator of immutable snapshots, by one of the methods of design.
 
 Whoever runs it stops it by leaving the loop and pauses it by not asking for the next snapshot,
 so both take effect within one iteration.
@@ -6,28 +6,73 @@ so both take effect within one iteration.
 
 import math
 import time
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from workbench.arrays import Array, Mask
+from workbench.design.auto import auto_judged, auto_steps
 from workbench.design.bounds import Bounds
-from workbench.design.checks import check_stages, grazed, reversed_on_lit_side
-from workbench.design.lens_state import LensState
-from workbench.design.methods import method_of
+from workbench.design.checks import grazed, reversed_on_lit_side
+from workbench.design.images import AnyImage
+from workbench.design.lens_state import LensState, Step
+from workbench.design.levels import finest_image
+from workbench.design.limits import CLOSEST, HeightLimits
+from workbench.design.memory import check_auto, memory_notes
 from workbench.design.net import definite
-from workbench.design.snapshot import DONE, LOCKED, Snapshot
-from workbench.errors import RunFailed
+from workbench.design.paper import FilteredImage, check_paper, paper_steps
+from workbench.design.snapshot import DONE, LOCKED, Result, Snapshot
+from workbench.errors import Refused, RunFailed
+from workbench.geometry.body import check_body
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
 from workbench.messages import Message
+from workbench.optics.plan import device_of, tensors_of
+from workbench.optics.sources import emitter_of
 from workbench.scene import AutoNet, Scene
+from workbench.scene.run import refused_in_stage
 
+# Places of the optic along each axis at which its source has to shine somewhere.
+_LOOKED_AT = 65
 _FULL_CARD = Message(
     "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
 )
+
+
+class Method(NamedTuple):
+    """A way to search for a lens."""
+
+    # Evaluates lens after lens within bounds and returns why it ended.
+    steps: Callable[[Bounds], Generator[Step, None, str]]
+    # What it judges lenses by: for a scene, a target and the heights of a lens like those to come.
+    image: Callable[[Scene, Array, Mapping[str, Tensor]], AnyImage | FilteredImage]
+    check: Callable[[Scene], None]  # refuses a scene that it cannot design
+    # What a run of a scene says of itself from the beginning.
+    notes: Callable[[Scene], tuple[str, ...]]
+    # The best lens of a run in light that it was not fitted to, of a scene, a target and the
+    # control heights; None where the run has seen it so.
+    judged: Callable[[Scene, Array, ControlHeights], Step | None]
+
+
+def method_of(scene: Scene) -> Method:
+    """The method that a scene asks for."""
+    return _METHODS[scene.run.method]
+
+
+_METHODS = {
+    "auto": Method(auto_steps, finest_image, check_auto, memory_notes, auto_judged),
+    "paper": Method(
+        paper_steps,
+        lambda scene, target, heights: FilteredImage(scene, target),
+        check_paper,
+        notes=lambda scene: (),
+        judged=lambda scene, target, heights: None,
+    ),
+}
 
 
 def run(
@@ -116,6 +161,73 @@ def run(
     return (yield from _judged(scene, target, bounds, kept, snapshot, ended))
 
 
+def check_stages(
+    scenes: Sequence[Scene],
+    first: int,
+    start: Mapping[str, Array] | None,
+    locked: Mapping[str, Mask],
+) -> None:
+    """Refuse a run that could not be carried to its end.
+
+    `scenes`: as `Scene.stage_scenes` gives them; the last is the scene itself; `first`: number of
+    the stage that the run begins with. Raises `Refused` with the path of the field, in its stage if
+    it is one.
+    """
+    finished = scenes[-1]
+    for stage, part in enumerate(scenes[first:], first):
+        with refused_in_stage(stage, len(scenes) - 1, part):
+            device_of(part)
+            method_of(part).check(part)
+            _check_lit(part)
+            _check_fixed(part, start or {})
+            if locked:
+                _check_net(part, finished)
+    if locked and start is not None:
+        limits = HeightLimits.of_scene(finished, CLOSEST)
+        kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
+        check_body(finished, kept)
+
+
+def _check_lit(part: Scene) -> None:
+    """Refuse a source that shines away from the optic, as a lamp that is turned around."""
+    places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
+    source, first = part.entrance
+    r_x, r_y = first.half_width
+    x, y = torch.cartesian_prod(r_x * places, r_y * places).T
+    if not emitter_of(source, first).towards(x, y).flux.any():
+        raise Refused(
+            "source",
+            Message(
+                "none of its light goes to the {optic}; turn or move it", optic=part.optic.called
+            ),
+        )
+
+
+def _check_fixed(part: Scene, start: Mapping[str, Array]) -> None:
+    """Refuse a fixed face without control heights."""
+    for number, element in enumerate(part.elements):
+        for placed, face in element.fixed_faces:
+            if face.content is None and placed.name not in start:
+                raise Refused(
+                    f"elements[{number}].{placed.path}.heights",
+                    Message("the control heights of the fixed face are missing; a file (.npy)"),
+                )
+
+
+def _check_net(part: Scene, finished: Scene) -> None:
+    """Refuse another net than that of the finished lens, which the locks are about."""
+    if nets_of(part) != nets_of(finished):
+        raise Refused(
+            f"{part.face_path()}.control_points",
+            Message(
+                "{net} are not the control points of the finished {optic} that are locked; leave "
+                "the stage's net out or unlock them",
+                net=list(part.optic.net_shape),
+                optic=part.optic.called,
+            ),
+        )
+
+
 def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:
     """The lens of a stage as one of the whole design."""
     shortfall = bounds.shortfall(state.heights)
@@ -169,3 +281,43 @@ def _carried(heights: ControlHeights, scene: Scene, other: Scene) -> ControlHeig
     return FaceArrays(
         {face: nets[face].carry(each, others[face]) for face, each in heights.items()}
     )
+
+
+class Evaluator:
+    """Judges lenses as a run of the scene would: by the same rays, filter and loss.
+
+    All that does not depend on the lens is computed once, here.
+
+    `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `heights`: control heights of a
+    lens like those to come, scene units; says how far their light falls. Raises `Refused` if the
+    scene asks for a device that is not there.
+    """
+
+    def __init__(self, scene: Scene, target: Array, heights: ControlHeights) -> None:
+        self._scene, self._target = scene, target
+        self._image = method_of(scene).image(scene, target, tensors_of(heights, scene))
+
+    def suits(self, scene: Scene, target: Array) -> bool:
+        """Whether it can judge lenses of this scene and target."""
+        return scene is self._scene and target is self._target
+
+    def snapshot(self, heights: ControlHeights, earlier: Result | None = None) -> Snapshot:
+        """A lens and its light, as the last of its run.
+
+        `earlier`: where the lens comes from; its iterations and seconds are counted in. Raises
+        `RunFailed` if no light reaches the screen.
+        """
+        with torch.no_grad():
+            _, step = self._image.compare(tensors_of(heights, self._scene))
+        scene, count = self._scene, earlier.iterations if earlier else 0
+        return Snapshot(
+            step.state,
+            iteration=count,
+            iterations=max(scene.run.iterations, count),
+            seconds=earlier.seconds if earlier else 0.0,
+            merit=step.state.loss if step.merit is None else step.merit,
+            best=True,
+            stage=len(scene.run.stages),
+            stages=1 + len(scene.run.stages),
+            notes=step.notes,
+        )

@@ -13,7 +13,7 @@ closest image it is 7.4 %.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -40,10 +40,10 @@ _LINES = Message("both faces along lines through all images")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
 _ONE_FACE = 1.8
+_TWO_FACES = _BOTH, _LINES
 # Where in its range an entrance face begins that is flat: in the middle, but near to a source that
 # is nearer than half the lens's width, so that more of its light meets the lens.
 _PLACE, _NEAR_PLACE = 0.5, 0.1
-_HANDICAP: dict[str, float] = {_ALONE: _ONE_FACE}
 
 
 class First(NamedTuple):
@@ -73,20 +73,8 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
     if fixed:
         both = split_start(scene, target, fixed)
         return None if both is None else First(both)
-    found = {
-        name: (first_error(scene, target, heights), heights)
-        for name, heights in (
-            (_BOTH, split_start(scene, target)),
-            (_ALONE, _flat_start(scene, target)),
-        )
-        if heights is not None
-    }
-    if not found:
-        return None
-    errors = {name: error for name, (error, _) in found.items()}
-    best = min(errors, key=lambda name: errors[name] * _HANDICAP.get(name, 1.0))
-    alone = found[_ALONE][1][scene.optic.designed_face] if _ALONE in found else None
-    return First(found[best][1], (_chosen(errors, best),), alone)
+    found = {_BOTH: split_start(scene, target), _ALONE: _flat_start(scene, target)}
+    return _best([WantedImage(scene, target, 1.0)], found)
 
 
 def first_of_several(
@@ -104,41 +92,45 @@ def first_of_several(
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.wanted(target)]
-    found: dict[Message, Mapping[str, Array]] = {}
+    found: dict[Message, Mapping[str, Array] | None] = {}
     both_free = scene.optic.designed_front is not None and not fixed
-    if both_free and (both := line_start(scene, target)) is not None:
-        found[_LINES] = both
+    if both_free:
+        found[_LINES] = line_start(scene, target)
     for number, image in enumerate(images, start=1):
         if both_free:
             heights = _flat_start(image.scene, image.target)
         else:
             lens = alone(image)
             heights = None if lens is None else lens.heights
-        if heights is not None:
-            name = (
-                Message("the entrance face for image {number} alone", number=number)
-                if scene.optic.designed_face in fixed
-                else Message("the exit face for image {number} alone", number=number)
-            )
-            found[name] = heights
+        name = (
+            Message("the entrance face for image {number} alone", number=number)
+            if scene.optic.designed_face in fixed
+            else Message("the exit face for image {number} alone", number=number)
+        )
+        found[name] = heights
+    return _best(images, found)
+
+
+def _best(
+    images: Sequence[WantedImage], lenses: Mapping[Message, Mapping[str, Array] | None]
+) -> First | None:
+    """The best of some lenses for images together, in the image by which a descent begins."""
+    found = {name: lens for name, lens in lenses.items() if lens is not None}
     if not found:
         return None
     weights = [image.weight for image in images]
-    errors = {
-        name: math.sqrt(
-            np.average(
-                [first_error(each.scene, each.target, heights) ** 2 for each in images],
-                weights=weights,
-            )
-        )
-        for name, heights in found.items()
-    }
-    handicap: dict[str, float] = {_LINES: 1 / _ONE_FACE}
-    best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
-    one_face = [name for name in found if name != _LINES] if both_free else []
+
+    def error(lens: Mapping[str, Array]) -> float:
+        squares = [first_error(each.scene, each.target, lens) ** 2 for each in images]
+        return math.sqrt(np.average(squares, weights=weights))
+
+    errors = {name: error(lens) for name, lens in found.items()}
+    best = min(errors, key=lambda name: errors[name] * (1 if name in _TWO_FACES else _ONE_FACE))
+    one_face = [name for name in found if name not in _TWO_FACES]
     exit_alone = None
     if one_face:
-        exit_alone = found[min(one_face, key=errors.__getitem__)][scene.optic.designed_face]
+        exit_face = images[0].scene.optic.designed_face
+        exit_alone = found[min(one_face, key=errors.__getitem__)][exit_face]
     return First(dict(found[best]), (_chosen(errors, best),), exit_alone)
 
 
