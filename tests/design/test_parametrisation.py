@@ -5,7 +5,7 @@ import math
 import pytest
 import torch
 
-from workbench.design import parametrisation
+from workbench.design import net as sizes
 from workbench.design.bounds import HeightRange
 from workbench.design.limits import HeightLimits
 from workbench.design.loss import paper_loss, share
@@ -52,7 +52,7 @@ def test_links_of_the_sparse_net_are_the_pairs_of_neighbours(paper_scene, size, 
 
 
 def test_a_net_that_does_not_fit_is_refused_before_it_is_built(paper_scene, monkeypatch):
-    monkeypatch.setattr(parametrisation, "available_memory", lambda _: 6_000_000)
+    monkeypatch.setattr(sizes, "available_memory", lambda _: 6_000_000)
     monkeypatch.setattr("workbench.design.paper.build", lambda *_: pytest.fail("was built"))
     scene = paper_scene("sparse")
     with pytest.raises(Refused) as refused:

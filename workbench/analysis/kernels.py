@@ -10,7 +10,7 @@ import torch
 
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.validation import validate
-from workbench.design import kernels
+from workbench.design import transport
 from workbench.scene import Scene
 
 _TINY = {
@@ -55,7 +55,7 @@ def compile_all(
     `dtypes`: float types of the traces of designs.
     """
     try:
-        kernels.compile_all(goes_on, dtypes)
+        transport.compile_all(goes_on, dtypes)
     finally:
         for source in _SOURCES:
             if goes_on():
@@ -69,7 +69,7 @@ def compile_all(
 def _compile_side_by_side() -> None:
     """Compile the kernels of both float types in two processes."""
     with ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
-        parts = [pool.submit(compile_all), pool.submit(kernels.compile_all, dtypes=_FINE)]
+        parts = [pool.submit(compile_all), pool.submit(transport.compile_all, dtypes=_FINE)]
         for part in parts:
             part.result()
 
