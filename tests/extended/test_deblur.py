@@ -156,7 +156,7 @@ def test_a_blurred_bright_border_wants_light_beyond_it(margin):
     m_x, m_y = margin
     inside = wanted[m_y:-m_y, m_x:-m_x]
     # Light lies within 3 pixels of the receiver, and is blurred by 3 pixels more.
-    assert 0.9 < wanted.sum() <= 1 + 1e-9
+    assert 0.85 < wanted.sum() <= 1 + 1e-9
     assert margin != (9, 7) or wanted.sum() == pytest.approx(1)
     assert np.ptp(inside) < 1e-12  # on the receiver it is the target
     assert 0.02 < 1 - inside.sum() < 0.3
