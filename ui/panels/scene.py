@@ -12,7 +12,7 @@ from ui.panels.fields import Changes, ChoiceRow, Row, TextRow, described
 from ui.panels.panel import ListedPanel, Panel, PartPanel
 from ui.panels.rows import KindRow, Make, Rows, file_rows, value_row
 from ui.words import in_sentence, later, tr
-from workbench.design.parametrisation import memory_bytes, parameter_count
+from workbench.design.net import memory_bytes, parameter_count
 from workbench.process import as_bytes
 from workbench.scene import (
     FieldDescription,
