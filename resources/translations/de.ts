@@ -7896,38 +7896,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/checks.py" />
-            <source>none of its light goes to the lens; turn or move it</source>
-            <translation>kein Licht von ihr trifft die Linse; drehen oder verschieben Sie sie</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>none of its light goes to the mirror; turn or move it</source>
-            <translation>kein Licht von ihr trifft den Spiegel; drehen oder verschieben Sie sie</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>the control heights of the fixed face are missing; a file (.npy)</source>
-            <translation>die Kontrollhöhen der festen Fläche fehlen; eine Datei (.npy)</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} sind nicht die Kontrollpunkte der fertigen Linse, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} sind nicht die Kontrollpunkte des fertigen Spiegels, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
             <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
             <translation>Das Bild bleibt {error:.0f} % daneben: {n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels. {finer_u} × {finer_v}, die automatische Wahl, können sie zeigen.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/images.py" />
-            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
-            <translation>der Diffusor verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
         </message>
         <message>
             <location filename="../../workbench/design/lens_blur.py" />
@@ -8095,6 +8065,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{n_x} × {n_y} Pixel mit {n_u} × {n_v} Kontrollpunkten brauchen etwa {needed} Speicher, und {available} sind frei; weniger von beiden helfen, oder andere Programme zu schließen</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/net.py" />
+            <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
+            <translation>'{name}' hat hier {count:,} Parameter und braucht {needed} für sie, ihren Gradienten und die Momente von Adam; {available} sind frei</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/paper.py" />
             <source>'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'</source>
             <translation>'box' ist innerhalb eines Pixels konstant und gibt der Methode der Veröffentlichung keinen Gradienten; 'gaussian'</translation>
@@ -8105,14 +8080,34 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>die Methode der Veröffentlichung</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/parametrisation.py" />
-            <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
-            <translation>'{name}' hat hier {count:,} Parameter und braucht {needed} für sie, ihren Gradienten und die Momente von Adam; {available} sind frei</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/run.py" />
             <source>the graphics card has too little free memory; compute on the processor, or take fewer pixels</source>
             <translation>die Grafikkarte hat zu wenig freien Speicher; rechnen Sie auf dem Prozessor, oder nehmen Sie weniger Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>none of its light goes to the lens; turn or move it</source>
+            <translation>kein Licht von ihr trifft die Linse; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>none of its light goes to the mirror; turn or move it</source>
+            <translation>kein Licht von ihr trifft den Spiegel; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>the control heights of the fixed face are missing; a file (.npy)</source>
+            <translation>die Kontrollhöhen der festen Fläche fehlen; eine Datei (.npy)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte der fertigen Linse, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte des fertigen Spiegels, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -8213,6 +8208,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>first lens: {tried}; it begins with {best}</source>
             <translation>erste Linse: {tried}; genommen: {best}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/scattering.py" />
+            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>der Diffusor verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
         </message>
         <message>
             <location filename="../../workbench/files/atomic.py" />

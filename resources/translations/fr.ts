@@ -7896,38 +7896,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/checks.py" />
-            <source>none of its light goes to the lens; turn or move it</source>
-            <translation>aucune de sa lumière ne va vers la lentille ; tournez-la ou déplacez-la</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>none of its light goes to the mirror; turn or move it</source>
-            <translation>aucune de sa lumière ne va vers le miroir ; tournez-la ou déplacez-la</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>the control heights of the fixed face are missing; a file (.npy)</source>
-            <translation>les hauteurs de contrôle de la face fixe manquent ; un fichier (.npy)</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} ne sont pas les points de contrôle de la lentille finie, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
-            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} ne sont pas les points de contrôle du miroir fini, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/checks.py" />
             <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
             <translation>L'image reste à {error:.0f} % d'écart : {n_u} × {n_v} points de contrôle sont trop peu pour le détail de cette cible. {finer_u} × {finer_v}, le choix automatique, peuvent le montrer.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/images.py" />
-            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
-            <translation>le diffuseur l'étale sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/design/lens_blur.py" />
@@ -8095,6 +8065,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>{n_x} × {n_y} pixels avec {n_u} × {n_v} points de contrôle demandent environ {needed} de mémoire, et {available} sont libres ; prenez-en moins, ou fermez d'autres programmes</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/net.py" />
+            <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
+            <translation>'{name}' a ici {count:,} paramètres et demande {needed} pour eux, leur gradient et les moments d'Adam ; {available} sont libres</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/paper.py" />
             <source>'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'</source>
             <translation>'box' est constant dans un pixel et ne donne pas de gradient à la méthode de l'article ; 'gaussian'</translation>
@@ -8105,14 +8080,34 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>la méthode de l'article</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/parametrisation.py" />
-            <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
-            <translation>'{name}' a ici {count:,} paramètres et demande {needed} pour eux, leur gradient et les moments d'Adam ; {available} sont libres</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/run.py" />
             <source>the graphics card has too little free memory; compute on the processor, or take fewer pixels</source>
             <translation>la carte graphique a trop peu de mémoire libre ; calculez sur le processeur, ou prenez moins de pixels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>none of its light goes to the lens; turn or move it</source>
+            <translation>aucune de sa lumière ne va vers la lentille ; tournez-la ou déplacez-la</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>none of its light goes to the mirror; turn or move it</source>
+            <translation>aucune de sa lumière ne va vers le miroir ; tournez-la ou déplacez-la</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>the control heights of the fixed face are missing; a file (.npy)</source>
+            <translation>les hauteurs de contrôle de la face fixe manquent ; un fichier (.npy)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} ne sont pas les points de contrôle de la lentille finie, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} ne sont pas les points de contrôle du miroir fini, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -8213,6 +8208,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>first lens: {tried}; it begins with {best}</source>
             <translation>première lentille : {tried} ; retenu : {best}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/scattering.py" />
+            <source>the diffuser blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>le diffuseur l'étale sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/files/atomic.py" />
