@@ -59,7 +59,7 @@ def main(arguments: list[str] | None = None) -> int:
     windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     # Else each full search goes through 300,000 objects of the slow libraries: 0.2 s.
     windows.loaded.connect(gc.freeze)
-    unexpected.happened.connect(windows.tell_unexpected_error)
+    unexpected.happened.connect(windows.show_unexpected_error)
     unexpected.qt_warned.connect(windows.log)
     unexpected.logged.connect(windows.log_details)
     signals = _leave_on_signals(windows, application)

@@ -10,7 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.commands.actions import LANGUAGE, THEME, choose_theme, tell_of_language
+from ui.commands.actions import LANGUAGE, THEME, choose_theme, note_language
 from ui.commands.panes import PaneFocus
 from ui.commands.table import NEW
 from ui.dialogs.gallery import Gallery
@@ -266,8 +266,8 @@ class MainWindow(QMainWindow):
             }
         )
         THEME.offer(self._settings, self.commands, choose_theme)
-        tell_later = partial(tell_of_language, self.messages.note)
-        LANGUAGE.offer(self._settings, self.commands, tell_later)
+        note_later = partial(note_language, self.messages.note)
+        LANGUAGE.offer(self._settings, self.commands, note_later)
         self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
@@ -280,7 +280,7 @@ class MainWindow(QMainWindow):
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.forms.refusals_changed.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
-        self.files.saved.connect(self._tell_saved)
+        self.files.saved.connect(self._show_saved)
 
     def _undo(self) -> None:
         if not self.forms.take_back():
@@ -315,9 +315,9 @@ class MainWindow(QMainWindow):
         elif self.forms.postponed_edits and self.loaded is not None:
             self.loaded.postponed.remind(tr("Saved with the task of the run."))
 
-    def _tell_saved(self, sentence: str) -> None:
+    def _show_saved(self, sentence: str) -> None:
         self.log.add(sentence)
-        self.status.tell(sentence)
+        self.status.show_briefly(sentence)
 
     def _take_along(self, take: Callable[[], None]) -> None:
         self.forms.commit()

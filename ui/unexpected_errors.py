@@ -39,11 +39,11 @@ class UnexpectedErrors(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._known: set[tuple[str, str]] = set()
-        self._heard: set[str] = set()
+        self._qt_texts: set[str] = set()
         self._hooks = sys.excepthook, threading.excepthook
         sys.excepthook = self._report
         threading.excepthook = self._report_thread
-        self._qt_handler = qInstallMessageHandler(self._hear)
+        self._qt_handler = qInstallMessageHandler(self._handle_qt_message)
         self._relay = _Relay(self.logged.emit)
         LOG.addHandler(self._relay)
 
@@ -71,12 +71,12 @@ class UnexpectedErrors(QObject):
         if arguments.exc_value is not None:
             self._report(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
 
-    def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+    def _handle_qt_message(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
         if text.startswith(_HARMLESS):
             return
         print(text, file=sys.stderr)
-        if kind in _SERIOUS and text not in self._heard:
-            self._heard.add(text)
+        if kind in _SERIOUS and text not in self._qt_texts:
+            self._qt_texts.add(text)
             self.qt_warned.emit(f"Qt: {text}")
 
 
@@ -86,11 +86,11 @@ def _place(trace: TracebackType | None) -> str:
 
 
 class _Relay(logging.Handler):
-    def __init__(self, tell: Callable[[str], None]) -> None:
+    def __init__(self, show: Callable[[str], None]) -> None:
         super().__init__()
-        self._tell = tell
+        self._show = show
 
     def emit(self, record: logging.LogRecord) -> None:
         text = self.format(record)
         print(text, file=sys.stderr)
-        self._tell(text)
+        self._show(text)

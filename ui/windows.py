@@ -152,7 +152,7 @@ class Windows(QObject):
     def wait(self) -> None:
         self._warm_up.wait()
 
-    def tell_unexpected_error(self, sentence: str, details: str) -> None:
+    def show_unexpected_error(self, sentence: str, details: str) -> None:
         window = self.active()
         if window is not None:
             copy = partial(QGuiApplication.clipboard().setText, details)

@@ -3916,7 +3916,7 @@
         <message>
             <location filename="../../ui/run/comparison.py" />
             <source>Irradiance of both runs</source>
-            <translation>Éclairement des deux essais</translation>
+            <translation>Éclairement des deux exécutions</translation>
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />

@@ -301,10 +301,10 @@ class KeptChoice:
 LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES)
 
 
-def tell_of_language(tell: Callable[[str], object], code: str) -> None:
+def note_language(note: Callable[[str], object], code: str) -> None:
     """Report that a new language is used after a restart."""
     if (system_language() if code == SYSTEM else code) != current_language():
-        tell(tr("The language changes at the next start."))
+        note(tr("The language changes at the next start."))
 
 
 THEME = KeptChoice("window/theme", THEMES)

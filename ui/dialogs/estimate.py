@@ -36,7 +36,7 @@ class Estimator(QObject):
         super().__init__(parent)
         self._background = Background(later("estimate"), self)
         self._background.progressed.connect(self._pass_on)
-        self._background.done.connect(self._tell)
+        self._background.done.connect(self._emit_found)
         self._background.failed.connect(self.failed)
 
     def look(self, job: "Job") -> None:
@@ -58,7 +58,7 @@ class Estimator(QObject):
         else:
             self.ready.emit(reported)
 
-    def _tell(self, _: object, found: "Prospect | None") -> None:
+    def _emit_found(self, _: object, found: "Prospect | None") -> None:
         if found is not None:
             self.found.emit(found)
 
@@ -80,7 +80,7 @@ class EstimateView(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._aspect = 1.0
-        self._scene: Scene | None = None  # of the target on show
+        self._scene: Scene | None = None  # of the shown target
         self._labels: list[QLabel] = []
         self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
         self._at_best.setAccessibleName(tr("Best possible image"))
@@ -107,20 +107,20 @@ class EstimateView(QWidget):
         """Show that figures are computed, and mark the old ones as outdated."""
         self.outdate()
         computing = tr("Computing the estimate…")
-        self._state.say(f"{computing} {self._state.text()}".strip())
+        self._state.show_text(f"{computing} {self._state.text()}".strip())
 
     def outdate(self) -> None:
         for label in self._labels:
             label.setEnabled(False)
-        self._state.say(tr("Outdated figures.") if self._labels else "")
+        self._state.show_text(tr("Outdated figures.") if self._labels else "")
         self._at_best.clear()
 
     def show_progress(self, part: float) -> None:
-        self._state.say(tr("Estimating… {part:.0f} %").format(part=100 * part))
+        self._state.show_text(tr("Estimating… {part:.0f} %").format(part=100 * part))
 
     def refuse(self, why: str) -> None:
         self._clear()
-        self._state.say(f"\N{WARNING SIGN} {why}")
+        self._state.show_text(f"\N{WARNING SIGN} {why}")
 
     def show_target(self, session: "Session") -> None:
         scene = self._scene = session.scene
@@ -132,9 +132,9 @@ class EstimateView(QWidget):
     def show_prospect(self, found: "Prospect") -> None:
         self._clear()
         if found.picture is None:
-            self._state.say(tr("Computing the estimate…"))
+            self._state.show_text(tr("Computing the estimate…"))
         elif self._scene is not None:
-            self._state.say("")
+            self._state.show_text("")
             self._at_best.show_target(as_viewed(self._scene, found.picture), self._aspect)
         for row, figure in enumerate(found.figures):
             self._add(row, figure)

@@ -56,7 +56,7 @@ class Gallery(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         filled(QVBoxLayout(self), (self._list, 1), self._look, buttons)
-        self._list.currentRowChanged.connect(self._tell)
+        self._list.currentRowChanged.connect(self._describe)
         self._list.itemDoubleClicked.connect(self.accept)
         self._list.setCurrentRow(0)
         self.resize(_SIZE.boundedTo(window.size()))
@@ -66,7 +66,7 @@ class Gallery(QDialog):
         super().accept()
         self.chosen.emit(example)
 
-    def _tell(self, row: int) -> None:
+    def _describe(self, row: int) -> None:
         example = self._examples[row]
         self._look.setText(f"{tr(example.group)}: {tr(example.look)}")
 

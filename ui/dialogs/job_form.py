@@ -93,7 +93,7 @@ class JobForm(QScrollArea):
 
         try:
             aspect = picture_aspect(ImageTarget.model_validate(target))
-        except Refused:  # whoever draws the picture says so
+        except Refused:  # reported when the picture is drawn
             return list(size)
         larger = max(size)
         shorter = float(f"{larger * min(aspect, 1 / aspect):.3g}")

@@ -97,7 +97,7 @@ class StartPage(QDialog):
         if self._session is not None:
             self._end(self._session)
         else:
-            self._tell()
+            self._show_obstacle()
 
     def _lay_out(self) -> None:
         aside = QWidget()
@@ -129,7 +129,7 @@ class StartPage(QDialog):
 
     def _look(self) -> None:
         self._session, self._begins, self._obstacle = None, False, ""
-        self._refusal.say("")
+        self._refusal.show_text("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
             self._finder.leave()
@@ -153,12 +153,12 @@ class StartPage(QDialog):
         self._obstacle = why
         self._estimate.refuse(why)
         if self._begins:
-            self._tell()
+            self._show_obstacle()
 
-    def _tell(self) -> None:
+    def _show_obstacle(self) -> None:
         if self._obstacle:
             why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
-            self._refusal.say(f"\N{WARNING SIGN} {why}")
+            self._refusal.show_text(f"\N{WARNING SIGN} {why}")
 
     def _choose_image(self) -> None:
         path = self._dialogs.to_open("image", tr("Picture"), image_files())

@@ -135,7 +135,7 @@ class Tour(QObject):
             self._show(stop.place)
         self._target = target
         target.installEventFilter(self)
-        self._bubble.tell(stop, number, len(STOPS))
+        self._bubble.show_stop(stop, number, len(STOPS))
         self._follow.start()
 
     def _finish(self) -> None:
@@ -190,7 +190,7 @@ class Bubble(QFrame):
             QVBoxLayout(self), self._title, self._text, buttons, margins=(14, 12, 14, 12)
         )
 
-    def tell(self, stop: Stop, number: int, count: int) -> None:
+    def show_stop(self, stop: Stop, number: int, count: int) -> None:
         title, text = tr(stop.title), tr(stop.text)
         self._title.setText(title)
         self._text.setText(text)

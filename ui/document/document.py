@@ -82,7 +82,7 @@ class Document(QObject):
         self._suggestion = Path(name)
         self.verified = VerifiedErrors()
         self.undo_stack = UndoSteps(self._show, self)
-        self.undo_stack.cleanChanged.connect(self._tell_dirty)
+        self.undo_stack.cleanChanged.connect(self._emit_dirty)
 
     @property
     def session(self) -> Session:
@@ -227,7 +227,7 @@ class Document(QObject):
             self.undo_stack.resetClean()
         self.path_changed.emit()
 
-    def _tell_dirty(self, clean: bool) -> None:
+    def _emit_dirty(self, clean: bool) -> None:
         self.dirty_changed.emit(not clean)
 
     def _begin(

@@ -63,7 +63,7 @@ class FrameHistory(QObject):
         if not frames:
             self._gap = 1
         self._checks = _until(at, self._checks)
-        # The last one gives way, unless it is far enough from the one before it.
+        # Replace the last frame, unless it is far enough from the one before it.
         if (
             len(frames) > 1
             and iterations_before(frames[-1]) - iterations_before(frames[-2]) < self._gap

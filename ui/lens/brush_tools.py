@@ -56,7 +56,7 @@ class Brush:
         if net is not None:
             self._part = resized(net, self.radius, steps) / max(net.half_width)
             self.hold(self._index)
-            self._view.refresh()  # also where there is nothing but its size to tell
+            self._view.refresh()  # also where its size alone has changed
 
     def aim(self, at: Pointer) -> tuple[int, int] | None:
         """Move the brush to the pointer, on any face; return the control point."""
@@ -202,7 +202,7 @@ class Lock(BrushTool):
     def _touch(self, index: tuple[int, int]) -> None:
         paint = self._paint
         if paint is not None:
-            # A new array each time: whoever shows it tells by that that it has changed.
+            # A new array each time, by which the view knows that it has changed.
             paint.locked = self._brush.paint(paint.locked, index, paint.value)
             self._view.nets.show_locked(paint.locked)
 

@@ -128,7 +128,7 @@ class LensTools(QObject):
     def slots(self) -> dict[str, Callable[[], object]]:
         return {
             **{name: partial(self._use, tool) for name, tool in self._tools.items()},
-            "other_face": self._turn_over,
+            "other_face": self._choose_other_face,
             "brush_larger": partial(self._resize, 1),
             "brush_smaller": partial(self._resize, -1),
             "lock_all": lambda: self._lock(np.ones_like, tr("lock all points")),
@@ -157,7 +157,7 @@ class LensTools(QObject):
         self._tool = tool
         self._view.use(tool)
 
-    def _turn_over(self) -> None:
+    def _choose_other_face(self) -> None:
         optic, nets = self._view.optic, self._view.nets
         if optic is None or len(nets.faces) < 2:
             self.message.emit(tr(_ONE_FACE))
@@ -171,12 +171,12 @@ class LensTools(QObject):
         if self._tool is not None:
             self._tool.turn_wheel(steps)
 
-    def _say(self, text: str) -> None:
+    def _note(self, text: str) -> None:
         self.message.emit(tr(text, optic=self._document.session.scene.optic.called))
 
     def _is_idle(self) -> bool:
         if self._control.busy:
-            self._say(_BUSY)
+            self._note(_BUSY)
         return not self._control.busy
 
     def _may_change(self) -> bool:
@@ -189,7 +189,7 @@ class LensTools(QObject):
             and bounded(scene.focused_on(self._view.nets.face)) == self._view.optic
         )
         if not there:
-            self._say(_NO_LENS)
+            self._note(_NO_LENS)
         return there
 
     def _heights(self) -> "ControlHeights | None":

@@ -207,8 +207,8 @@ class CutterDialog(QDialog):
         self._goes_on = False  # whether the keyboard was at the button
         self._background = Background(later("simulation of the cut"), self)
         self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._tell)
-        self._background.failed.connect(self._tell_failure)
+        self._background.done.connect(self._show_outcome)
+        self._background.failed.connect(self._show_failure)
         self.finished.connect(self._background.close)
         self.simulate()
 
@@ -254,7 +254,7 @@ class CutterDialog(QDialog):
     def _show_progress(self, _: object, done: float) -> None:
         self.bar.setValue(round(100 * done))
 
-    def _tell(self, _: None, found: "CutPlan | str | None") -> None:
+    def _show_outcome(self, _: None, found: "CutPlan | str | None") -> None:
         if found is None:
             stopped = tr("Stopped before the end of the simulation.")
             self._end(stopped if self.plan is None else _words(self.plan, self._unit))
@@ -265,7 +265,7 @@ class CutterDialog(QDialog):
             self._judge(found)
         self._allow_trace()
 
-    def _tell_failure(self, reason: str) -> None:
+    def _show_failure(self, reason: str) -> None:
         verdict = "" if self.plan is None else f"{_words(self.plan, self._unit)}\n"
         self._end(f"{verdict}\N{WARNING SIGN} {reason}")
         self._allow_trace()

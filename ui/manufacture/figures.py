@@ -231,7 +231,7 @@ class ManufactureFigures(QWidget):
             self._show_face(found.entrance, _ENTRANCE, found.thickest.value)
         for part in self._of_entrance:
             part.setVisible(found.entrance is not None)
-        self.say("")
+        self.show_remark("")
         self._judge(self._fields.limits)
 
     def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
@@ -256,7 +256,7 @@ class ManufactureFigures(QWidget):
         for key in self.states:
             self._show_state(key, None)
 
-    def say(self, sentence: str) -> None:
+    def show_remark(self, sentence: str) -> None:
         """Show a remark, and grey the outdated figures; or remove both."""
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))

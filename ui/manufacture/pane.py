@@ -135,7 +135,7 @@ class ManufacturePane(ComputingView):
         self._found: _Found | None = None
         self._background = Background(later("analysis of the face"), self)
         self._background.done.connect(self._take)
-        self._background.failed.connect(figures.say)
+        self._background.failed.connect(figures.show_remark)
         self._fields.changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
@@ -149,17 +149,17 @@ class ManufacturePane(ComputingView):
         super().show_nothing(session)
         self.map.show_nothing(session)
         self._figures.show_nothing()
-        self._figures.say("")
+        self._figures.show_remark("")
 
     def _want(self) -> None:
         self._show_veil()
         if self._frame is None:
             return
         if self._known:
-            self._figures.say("")
+            self._figures.show_remark("")
             return
         if self._found is not None:
-            self._figures.say(tr("Outdated; recomputed when the design rests."))
+            self._figures.show_remark(tr("Outdated; recomputed when the design rests."))
         if self._seen():
             self._compute_soon()
 

@@ -102,7 +102,7 @@ class Wrapped(WrappedLabel):
         super().resizeEvent(event)
         self._insist()
 
-    def say(self, text: str) -> None:
+    def show_text(self, text: str) -> None:
         self.setText(text)
         self._insist()
 
@@ -118,6 +118,6 @@ class Refusal(Wrapped):
         self.setObjectName("refusal")
         self.hide()
 
-    def say(self, text: str) -> None:
-        super().say(text)
+    def show_text(self, text: str) -> None:
+        super().show_text(text)
         self.setVisible(bool(text))

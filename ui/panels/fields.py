@@ -110,7 +110,7 @@ class Row(QWidget):
     def refuse(self, reason: str) -> None:
         """Show why the edit is not possible; an empty reason clears it."""
         if reason or self.refusal:
-            self._refusal.say(f"\N{WARNING SIGN} {reason}" if reason else "")
+            self._refusal.show_text(f"\N{WARNING SIGN} {reason}" if reason else "")
             self.setProperty("refused", bool(reason))
             theme.restyle(self)
 

@@ -300,7 +300,7 @@ class PartList(Row):
             rows = min(len(parts), _MOST_SEEN)
             frame = 2 * self._list.frameWidth()
             self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
-        self._rest.say(remark)
+        self._rest.show_text(remark)
         self._rest.setVisible(bool(remark))
         self._list.setVisible(bool(parts))
         self._enable()

@@ -1,4 +1,4 @@
-"""Makes the rows of a part of the scene from what its fields say of themselves."""
+"""Rows of a part of the scene, from the descriptions of its fields."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace

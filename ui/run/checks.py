@@ -77,7 +77,7 @@ class Check(QObject):
         self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
         self._rays = self._asked_rays = RAYS
         self._background = Background(later("check"), self)
-        self._background.progressed.connect(self._tell_progress)
+        self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)
 
@@ -125,7 +125,7 @@ class Check(QObject):
     def close(self) -> None:
         self._background.close()
 
-    def _tell_progress(self, lens: CheckedLens, part: float) -> None:
+    def _show_progress(self, lens: CheckedLens, part: float) -> None:
         self.figures_changed.emit(tr("checking… {part:.0f} %").format(part=100 * part))
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
@@ -171,7 +171,7 @@ class Check(QObject):
         self.under_way_changed.emit(False)
 
 
-_FEW_RAYS = 1_000_000  # enough to tell an error from the next
+_FEW_RAYS = 1_000_000  # enough to distinguish successive errors
 _ROUGH = 5e-3  # error of an image by cells that such a check may have
 _REST = 5.0  # seconds between checks, at least
 _RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
@@ -236,7 +236,7 @@ class RunCheck(QObject):
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
         self._last, self._result = None, result
-        self._tell()
+        self._emit_figures()
         if result is not None and frame is not None:
             self._end = CheckedLens(
                 self._document.session, result.state.heights, result.iterations, result.seconds
@@ -247,7 +247,7 @@ class RunCheck(QObject):
         found, _ = outcome
         if found.contradiction:
             self._text = tr("Check failed")
-            self._tell()
+            self._emit_figures()
             self.failed.emit(tr(found.contradiction))
             return
         self._latest = verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
@@ -262,21 +262,21 @@ class RunCheck(QObject):
         self._text = tr("Verified error {error} at iteration {iteration}").format(
             error=verified_error(found.verified), iteration=lens.iterations
         )
-        self._tell()
+        self._emit_figures()
         self.checked.emit(lens, found)
 
     def _follow_course(self) -> None:
         """Drop a check that is not part of the shown history."""
         if self._control.busy and self._latest not in self._control.history.checks:
             self._text = ""
-            self._tell()
+            self._emit_figures()
 
     def _follow_document(self, session: "Session") -> None:
         if self._end is not None and not lit_alike(self._end.session, session):
             self._background.cancel()
-        self._tell()
+        self._emit_figures()
 
-    def _tell(self) -> None:
+    def _emit_figures(self) -> None:
         same = self._control.busy or self._document.session.result is self._result
         self.figures_changed.emit(self._text if same else "")
 

@@ -89,7 +89,7 @@ class Runner(QObject):
             self._set_state("running")
 
     def stop(self) -> None:
-        """End the run before its next iteration; `finished` tells when that is."""
+        """End the run before its next iteration; `finished` follows."""
         if self._job is not None and self._state in ("running", "paused"):
             self._job.gate.stop()
             self._set_state("stopping")
@@ -158,7 +158,7 @@ class RunControl(QObject):
     """Runs designs of the document, and previews it between runs."""
 
     ended = Signal()
-    gave_way = Signal(str)
+    displaced = Signal(str)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
@@ -228,10 +228,10 @@ class RunControl(QObject):
     def _finish(self, result: Result | None) -> None:
         if result is not None:
             self.history.keep(result)
-            session, given_way = with_run(self._document.session, result)
+            session, displaced = with_run(self._document.session, result)
             self._document.change(session, tr("design run"))
-            for run in given_way:
-                self.gave_way.emit(called(run))
+            for run in displaced:
+                self.displaced.emit(called(run))
         self.ended.emit()
 
 

@@ -1,7 +1,7 @@
 """Live update: designs a lens after every edit of the task, except during a run.
 
-1. One thread designs. An edit lets the current design reach its first lens, if that comes soon;
-   then the latest edit is next. Where a first lens takes long, a design waits for a pause between
+1. One thread designs. An edit lets the current design reach its first result, if that comes soon;
+   then the latest edit is next. Where a first result takes long, a design waits for a pause between
    edits. A design that undo or a new task has made useless ends at once.
 2. Each lens is part of the step of its edit (`Document.improve`), and undo reverts both. A finished
    lens is a kept run, and the next edit is a step of its own.
@@ -38,10 +38,10 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
-_GRACE_MS = 500  # that a design has for its first lens once an edit waits for its end
-_LATE_MS = 3000  # without a first lens, after which the status says that this takes long
-_SOON = 1.0  # seconds within which a first lens comes on a machine that keeps up
-_SHARE, _LONGEST = 0.5, 4.0  # pause after an edit: part of what a first lens takes, and seconds
+_GRACE_MS = 500  # that a design has for its first result once an edit waits for its end
+_LATE_MS = 3000  # without a first result, before the status reports a slow task
+_SOON = 1.0  # seconds within which a first result comes on a machine that keeps up
+_SHARE, _LONGEST = 0.5, 4.0  # pause after an edit: part of what a first result takes, and seconds
 _UNDER_WAY = later("Updating the {optic}")
 _SLOW = later("Updating the {optic}: slow task, edits are applied after a pause")
 
@@ -87,7 +87,7 @@ class Follow(QObject):
         self._look = QTimer(self)
         self._look.timeout.connect(self._take_frame)
         self._late = QTimer(self, singleShot=True, interval=_LATE_MS)
-        self._late.timeout.connect(lambda: self._say(self._named(_SLOW)))
+        self._late.timeout.connect(lambda: self._show_text(self._named(_SLOW)))
         self._pause = 0.0  # seconds without an edit before its design begins
         self._waiting: _Design | None = None  # for such a pause
         self._rested = QTimer(self, singleShot=True)
@@ -97,7 +97,7 @@ class Follow(QObject):
         document.edited.connect(self._follow)
         document.begun.connect(self._begin_new)
         document.session_changed.connect(self._note_change)
-        control.runner.state_changed.connect(self._give_way)
+        control.runner.state_changed.connect(self._rest_for_run)
 
     @property
     def text(self) -> str:
@@ -196,7 +196,7 @@ class Follow(QObject):
             self._queue()
         else:
             self._rested.start(round(1000 * self._pause))
-        self._say(self._named(_UNDER_WAY))
+        self._show_text(self._named(_UNDER_WAY))
 
     def _queue(self) -> None:
         self._rested.stop()
@@ -219,7 +219,7 @@ class Follow(QObject):
         if design is None:
             return
         design.job.gate.give_up()
-        if not design.has_lens:  # its first lens would have taken longer still
+        if not design.has_lens:  # its first result would have taken longer still
             self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
     def _snapshots(
@@ -268,7 +268,7 @@ class Follow(QObject):
             self._give_up()
 
     def _put(self, design: _Design, best: "Result") -> None:
-        session, given_way = with_followed(self._document.session, best)
+        session, displaced = with_followed(self._document.session, best)
         if design.own_step:
             design.own_step = False
             self._document.change(
@@ -277,10 +277,10 @@ class Follow(QObject):
             self._changes = 0
         else:
             self._document.improve(session)
-        for run in given_way:
-            self._control.gave_way.emit(called(run))
+        for run in displaced:
+            self._control.displaced.emit(called(run))
         error = 100 * relative_error(best.state, session.target)
-        self._say(tr("Updating: error {error:.1f} %").format(error=error))
+        self._show_text(tr("Updating: error {error:.1f} %").format(error=error))
 
     def _end(self, design: _Design, _: object) -> None:
         self._take_frame()
@@ -304,7 +304,7 @@ class Follow(QObject):
     def _is_wanted(self, design: _Design) -> bool:
         return design.session is self._wanted and not (self._changes or self._held)
 
-    def _give_way(self, state: str) -> None:
+    def _rest_for_run(self, state: str) -> None:
         if state == "running":
             self.rest()
 
@@ -321,12 +321,12 @@ class Follow(QObject):
         if self._wanted is not None:
             self._wanted, self._control.followed = None, False
             self._control.preview()
-            self._say("")
+            self._show_text("")
 
     def _named(self, text: str) -> str:
         return tr(text, optic=self._document.session.scene.optic.called)
 
-    def _say(self, text: str) -> None:
+    def _show_text(self, text: str) -> None:
         self._text = text
         self.message.emit(text)
 

@@ -32,10 +32,10 @@ def with_followed(
     never displaces other runs.
     """
     others = tuple(run for run in session.runs if not _is_passing(run))
-    kept, given_way = _with_kept(session, result, others, _FOLLOWED, budget)
-    if given_way and result.ended == STOPPED:
+    kept, displaced = _with_kept(session, result, others, _FOLLOWED, budget)
+    if displaced and result.ended == STOPPED:
         return replace(session, result=result, runs=others), []
-    return kept, given_way
+    return kept, displaced
 
 
 def _with_kept(
@@ -46,14 +46,14 @@ def _with_kept(
         return replace(session, runs=tuple(others)), []
     name = f"{kind} {_next_number(others)}: {_description(session.scene)}"
     runs = [*others, KeptRun(name, session.scene, session.target, result)]
-    given_way = []
+    displaced = []
     while len(runs) > 1 and (len(runs) > MOST_RUNS or distinct_bytes(*runs) > budget):
         nameless = [run for run in runs[:-1] if not is_named(run)]
         followed = [run for run in nameless if run.name.startswith(_FOLLOWED)]
         oldest = [*followed, *nameless, runs[0]][0]
         runs.remove(oldest)
-        given_way.append(oldest)
-    return replace(session, runs=tuple(runs)), given_way
+        displaced.append(oldest)
+    return replace(session, runs=tuple(runs)), displaced
 
 
 def _is_passing(run: KeptRun) -> bool:

@@ -1,4 +1,4 @@
-"""Tells the stages of each run, and what was chosen for its trace, as they come."""
+"""Log of runs: their stages, and what was chosen for their traces."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -28,18 +28,16 @@ _TURNS = later(
 class RunLog(QObject):
     """Logs the runs of a window: one entry for each change, not for each iteration."""
 
-    def __init__(
-        self, document: Document, control: RunControl, tell: Callable[[str], None]
-    ) -> None:
+    def __init__(self, document: Document, control: RunControl, log: Callable[[str], None]) -> None:
         super().__init__(control)
-        self._document, self._control, self._tell = document, control, tell
+        self._document, self._control, self._log = document, control, log
         self._state = "idle"
         self._last: Snapshot | None = None
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
-        control.gave_way.connect(
-            lambda name: tell(tr("{name} was removed: memory limit of kept runs").format(name=name))
+        control.displaced.connect(
+            lambda name: log(tr("{name} was removed: memory limit of kept runs").format(name=name))
         )
 
     def _follow(self, state: str) -> None:
@@ -47,7 +45,7 @@ class RunLog(QObject):
         if (before, state) == ("idle", "running"):
             self._last = None
             run = self._document.session.scene.run
-            self._tell(
+            self._log(
                 tr("Run started: {name}, method {method}").format(
                     name=self._document.name, method=run.method
                 )
@@ -58,7 +56,7 @@ class RunLog(QObject):
                 if self._last is not None
                 else ""
             )
-            self._tell(tr(_TURNS[before, state]) + at)
+            self._log(tr(_TURNS[before, state]) + at)
 
     def _look(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
@@ -66,24 +64,24 @@ class RunLog(QObject):
         shot, last = frame.snapshot, self._last
         self._last = shot
         if shot.stages > 1 and (last is None or last.stage != shot.stage):
-            self._tell(
+            self._log(
                 tr("Stage {stage} of {stages}, iteration {iteration}").format(
                     stage=shot.stage + 1, stages=shot.stages, iteration=shot.iteration
                 )
             )
         new = [note for note in shot.notes if last is None or note not in last.notes]
         if new:
-            self._tell(tr("Trace: {notes}").format(notes="; ".join(map(tr, new))))
+            self._log(tr("Trace: {notes}").format(notes="; ".join(map(tr, new))))
 
     def _end(self) -> None:
         if self._last is None:
             called = self._document.session.scene.optic.called
-            self._tell(tr("Run ended before its first {optic}", optic=called))
+            self._log(tr("Run ended before its first {optic}", optic=called))
             return
         shot, session = self._last, self._document.session
         result, place = session.result, tr(session.scene.receiver.place)
         why = f" ({tr(result.ended)})" if result is not None and result.ended else ""
-        self._tell(
+        self._log(
             tr(
                 "Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss "
                 "{loss}, {efficiency:.1f} % {place}"

@@ -85,7 +85,7 @@ class RunStatus:
         self._state = ElidedLabel()
         self._read = QTimer(bar)
         self._read.setSingleShot(True)
-        self._read.timeout.connect(lambda: self._say(self._text))
+        self._read.timeout.connect(lambda: self._show_text(self._text))
         bar.addWidget(self._state, 1)
         self._progress = _progress(bar)
         self._outdated = _passing(bar, tr(OUTDATED), tr("Outdated:"))
@@ -145,17 +145,17 @@ class RunStatus:
         """Show a state, in place of any sentence."""
         self._text = text
         self._read.stop()
-        self._say(text)
+        self._show_text(text)
 
     def go_on(self, text: str) -> None:
         """Show progress, after the reading time of a sentence."""
         self._text = text
         if not self._read.isActive():
-            self._say(text)
+            self._show_text(text)
 
-    def tell(self, sentence: str) -> None:
+    def show_briefly(self, sentence: str) -> None:
         """Show a sentence for its reading time."""
-        self._say(sentence)
+        self._show_text(sentence)
         self._read.start(_READ_MS)
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
@@ -219,7 +219,7 @@ class RunStatus:
         label.setVisible(bool(figures))
         self._layout.share()
 
-    def _say(self, text: str) -> None:
+    def _show_text(self, text: str) -> None:
         self._state.setText(text)
         self._layout.share()
 

@@ -212,11 +212,11 @@ class _NameDelegate(QStyledItemDelegate):
         index: QModelIndex | QPersistentModelIndex,
     ) -> QWidget:
         editor = QLineEdit(parent, frame=False, maxLength=LONGEST_NAME)
-        editor.inputRejected.connect(partial(_say_too_long, editor))
+        editor.inputRejected.connect(partial(_show_too_long, editor))
         return editor
 
 
-def _say_too_long(editor: QLineEdit) -> None:
+def _show_too_long(editor: QLineEdit) -> None:
     below = editor.mapToGlobal(editor.rect().bottomLeft())
     QToolTip.showText(
         below, tr("A name has at most {count} characters").format(count=LONGEST_NAME), editor

@@ -137,7 +137,7 @@ class FocusView(LightImageView, ComputingView):
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
         for traces in (self._image_of, self._curve_of):
-            traces.failed.connect(self._tell)
+            traces.failed.connect(self._show_place)
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setRange(_NEAREST, _FARTHEST)
         self._slider.setValue(_SCREEN)
@@ -197,7 +197,7 @@ class FocusView(LightImageView, ComputingView):
             self._want_nothing()
             self._place.setText(tr(_NO_DISTANCE))
         elif self._seen():
-            self._tell(tr("computed when the design rests…"))
+            self._show_place(tr("computed when the design rests…"))
             self._compute_soon()
 
     def _forget(self) -> None:
@@ -221,7 +221,7 @@ class FocusView(LightImageView, ComputingView):
         assert frame is not None  # what nobody sees is not traced
         lens = frame.session, frame.state.heights
         self._curve.mark(self.z)
-        self._tell(tr("tracing…"))
+        self._show_place(tr("tracing…"))
         request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
         self._image_of.begin(partial(trace_through_focus, request), request)
 
@@ -230,11 +230,11 @@ class FocusView(LightImageView, ComputingView):
         if found is None:
             self._traced = np.zeros_like(request.session.target)
             self._heights = request.heights
-            self._tell(tr("no flux arrives there"))
+            self._show_place(tr("no flux arrives there"))
         else:
             self._traced, self._heights = found.irradiance, request.heights
             arrives = tr("{part:.1f} % of the light").format(part=100 * found.efficiency)
-            self._tell(
+            self._show_place(
                 tr("error {error}, {light}").format(error=verified_error(found), light=arrives)
             )
         self._show_veil()
@@ -245,7 +245,7 @@ class FocusView(LightImageView, ComputingView):
             return False
         return self._heights != self._frame.state.heights
 
-    def _tell(self, what: str) -> None:
+    def _show_place(self, what: str) -> None:
         assert self._frame is not None
         at_screen = f" ({tr('screen')})" if self._slider.value() == _SCREEN else ""
         place = written(self.z, self._frame.session.scene.unit)

@@ -148,7 +148,7 @@ class ImageView(PlotView):
             x, y = self._pointed
             pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is None:
-            self._readout.say(*self._at_rest(self._shown))
+            self._readout.show_widest(*self._at_rest(self._shown))
         else:
             value = written(self._values[pixel], self._unit(self._shown))
             if np.isnan(self._values[pixel]):
@@ -157,7 +157,7 @@ class ImageView(PlotView):
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
             short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
-            self._readout.say(whole, short, value)
+            self._readout.show_widest(whole, short, value)
 
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
         return ("",)
@@ -233,7 +233,7 @@ class ImageView(PlotView):
 class _Readout(QLabel):
     resized = Signal()
 
-    def say(self, *texts: str) -> None:
+    def show_widest(self, *texts: str) -> None:
         width, wide = self.width(), self.fontMetrics().horizontalAdvance
         self.setText(next((text for text in texts if wide(text) <= width), texts[-1]))
 

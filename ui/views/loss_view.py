@@ -61,7 +61,7 @@ class HistorySlider(QWidget):
             self._slider.setMaximum(max(0, len(frames) - 1))
             self._slider.setValue(len(frames) - 1)
         self.setVisible(len(frames) > 1)
-        self._tell()
+        self._show_iteration()
 
     def allow(self, look: bool, go_on: bool) -> None:
         self._slider.setEnabled(look)
@@ -86,10 +86,10 @@ class HistorySlider(QWidget):
         return self._frames[self._slider.value()]
 
     def _look(self) -> None:
-        self._tell()
+        self._show_iteration()
         self.frame_chosen.emit(self._frame)
 
-    def _tell(self) -> None:
+    def _show_iteration(self) -> None:
         self._text.setText(
             tr("iteration {number}").format(number=iterations_before(self._frame))
             if self._frames

@@ -204,7 +204,7 @@ class PhotoView(ComputingView):
         elif not self._background.busy or not self._asked(request):
             self._want_nothing()
             self._rest.start()
-        self._tell(request)
+        self._show_summary(request)
 
     def _want_nothing(self) -> None:
         super()._want_nothing()
@@ -228,14 +228,14 @@ class PhotoView(ComputingView):
     def _show(self, request: PhotoRequest, photo: "Photo | None") -> None:
         if photo is not None:
             self._taken = request, photo
-            self._tell(request)
+            self._show_summary(request)
             self._ask()
 
     def _is_behind(self) -> bool:
         there = self._frame is not None and self._taken is not None
         return there and not self._known(self._request())
 
-    def _tell(self, request: PhotoRequest) -> None:
+    def _show_summary(self, request: PhotoRequest) -> None:
         self._show_veil()
         if self._known(request) and self._taken is not None:
             text = tr(self._taken[1].summary)

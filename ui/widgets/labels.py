@@ -74,7 +74,7 @@ _MARGIN = 6  # pixels around the words
 
 
 class Veil(QWidget):
-    """Greys a widget and says why; mouse and keyboard pass through."""
+    """Greys a widget and shows why; mouse and keyboard pass through."""
 
     def __init__(self, below: QWidget) -> None:
         super().__init__(below)

@@ -27,7 +27,7 @@ from ui.words import tr
 Value = TypeVar("Value")
 
 Offer = tuple[str, Callable[[], object]]
-"""What a button beside a message says, and what it does."""
+"""Text and action of a button beside a message."""
 
 
 class MessageBar(QFrame):
@@ -46,7 +46,7 @@ class MessageBar(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.buttons: list[QPushButton] = []
-        self._done = False  # whether it says what is done
+        self._done = False  # whether it reports a success
         self._lasts = False  # whether it is as true when a run begins
         close = QToolButton()
         close.setText("✕")
@@ -160,7 +160,7 @@ def question(
     return answers[number][2]
 
 
-_LINES = 2000  # of which the oldest give way
+_LINES = 2000  # of which the oldest are dropped
 
 
 class LogView(QPlainTextEdit):

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-_FRAME = 2  # pixels around the 3D scene, which tell whether it has the keyboard
+_FRAME = 2  # pixels around the 3D scene, highlighted when it has the keyboard
 
 # Shares of the window for forms, images of light, and what stands beside the 3D scene. The images
 # have a third of the window: 0.75 of its width and 0.49 of its height.
@@ -298,8 +298,8 @@ class CameraView(Protocol):
 class ViewState:
     """How a design is shown (docks, options, camera), as plain data."""
 
-    def __init__(self, commands: Commands, layout: Layout, tell: Callable[[str], None]) -> None:
-        self._commands, self._layout, self._tell = commands, layout, tell
+    def __init__(self, commands: Commands, layout: Layout, log: Callable[[str], None]) -> None:
+        self._commands, self._layout, self._log = commands, layout, log
         self._eye: CameraView | None = None
         self._waiting: Mapping[str, Any] | None = None  # for the views
 
@@ -344,7 +344,7 @@ class ViewState:
         try:
             restore()
         except ValueError as error:
-            self._tell(
+            self._log(
                 tr("The view settings ({what}) of this design cannot be restored: {error}").format(
                     what=what, error=error
                 )

@@ -31,8 +31,8 @@ def names(session):
 
 
 def test_a_run_is_kept_with_its_task_and_a_descriptive_name(session, result):
-    after, given_way = with_run(session, result)
-    assert after.result is result and given_way == []
+    after, displaced = with_run(session, result)
+    assert after.result is result and displaced == []
     (run,) = after.runs
     assert run.name == "Run 1: auto, 12 × 10"
     assert (run.scene, run.target, run.result) == (session.scene, session.target, result)
@@ -43,11 +43,11 @@ def test_the_oldest_unnamed_run_is_dropped_first(session, large):
     for _ in range(3):
         session, _ = with_run(session, large(100))
     session = renamed(session, session.runs[0], "first")
-    kept, given_way = with_run(session, large(100), budget=350 * KILOBYTE)
-    assert [run.name for run in given_way] == ["Run 2: auto, 12 × 10"]
+    kept, displaced = with_run(session, large(100), budget=350 * KILOBYTE)
+    assert [run.name for run in displaced] == ["Run 2: auto, 12 × 10"]
     assert names(kept) == ["first", "Run 3: auto, 12 × 10", "Run 4: auto, 12 × 10"]
-    kept, given_way = with_run(kept, large(300), budget=350 * KILOBYTE)
-    assert [run.name for run in given_way] == [
+    kept, displaced = with_run(kept, large(300), budget=350 * KILOBYTE)
+    assert [run.name for run in displaced] == [
         "Run 3: auto, 12 × 10",
         "Run 4: auto, 12 × 10",
         "first",
