@@ -7655,6 +7655,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Mitsuba kennt {kind} nicht; zum Vergleichen weglassen</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_scatter.py" />
+            <source>Mitsuba is given no scatter of kind {law}; compare without it</source>
+            <translation>Mitsuba kennt die Streuung {law} nicht; ohne sie vergleichen</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/light.py" />
             <source>laser of {wavelength:g} µm</source>
             <translation>Laser von {wavelength:g} µm</translation>

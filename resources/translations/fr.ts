@@ -7655,6 +7655,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>Mitsuba ne connaît pas {kind} ; l'omettre pour comparer</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_scatter.py" />
+            <source>Mitsuba is given no scatter of kind {law}; compare without it</source>
+            <translation>Mitsuba ne connaît pas la diffusion {law} ; comparer sans elle</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/light.py" />
             <source>laser of {wavelength:g} µm</source>
             <translation>laser de {wavelength:g} µm</translation>

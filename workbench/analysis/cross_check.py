@@ -94,7 +94,6 @@ def cross_check(
     are not square, or the lens is no body; `RunFailed` if no light reaches the screen.
     """
     scene.check_one_image("the comparison with Mitsuba")
-    scene.check_no_diffuser("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
     theirs = [(line.part, MitsubaScene(line.scene, heights)) for line in scene.lines]

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from workbench import system_libraries
-from workbench.analysis.mitsuba_elements import mitsuba_elements
+from workbench.analysis.mitsuba_elements import Coordinates, mitsuba_elements
 from workbench.analysis.mitsuba_lights import check_known, mitsuba_lights
 from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.arrays import Array
@@ -50,18 +50,19 @@ class MitsubaScene:
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = _mitsuba()
         self._picture = picture_of(scene)
-        # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
-        self._scene, self._unit = scene, max(scene.optic.half_width)
+        self._scene, self._coordinates = scene, Coordinates.of(scene)
         self._onwards = scene.onwards(scene.receiver)
         check_known(scene.source)
-        self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
+        self._pixel_area = self._picture.screen.pixel_measure / self._coordinates.unit**2
         screen = self._picture.screen
         self._unlit: dict[str, Any] = {
             "type": "scene",
+            # Else two of a million rays pass between two triangles of a face.
+            "embree_use_robust_intersections": True,
             "integrator": {"type": "ptracer", "max_depth": _segments(scene), "rr_depth": 100},
             "sensor": self._camera(),
             "screen": self._screen(),
-            **mitsuba_elements(self._mi, scene, heights, screen, self._unit),
+            **mitsuba_elements(self._mi, scene, heights, screen, self._coordinates),
         }
 
     def flux(self, rays: int, seed: int, progress: Progress = no_progress) -> Array:
@@ -85,8 +86,9 @@ class MitsubaScene:
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
-        source, first = self._scene.entrance
-        lights, emitted = mitsuba_lights(self._mi, source, first, self._unit, rays, seed)
+        lights, emitted = mitsuba_lights(
+            self._mi, *self._coordinates.entrance(self._scene), self._coordinates.unit, rays, seed
+        )
         lit = self._mi.load_dict(self._unlit | lights)
         radiance = np.zeros((n_y, n_x))
         # Seeds that have nothing to do with each other: Mitsuba counts on from them.
@@ -103,13 +105,13 @@ class MitsubaScene:
         return self._picture.light(flux, self._scene.receiver)
 
     def _seen(self, screen: Screen) -> tuple[Array, Array]:
-        """Middle of a screen, and its unit vectors as rows, in Mitsuba: as the first element is."""
-        first = self._scene.first
-        return first.seen(np.array(screen.position)) / self._unit, screen.sides @ first.turn
+        """Middle of a screen, and its unit vectors as rows, in Mitsuba."""
+        coordinates = self._coordinates
+        return coordinates.places(np.array(screen.position)), coordinates.vectors(screen.sides)
 
     def _screen(self) -> dict[str, Any]:
         screen = self._picture.screen
-        r_x, r_y = (r / self._unit for r in screen.half_width)
+        r_x, r_y = (r / self._coordinates.unit for r in screen.half_width)
         to_world = np.eye(4)
         middle, sides = self._seen(screen)
         to_world[:3, :3] = sides.T * [r_x, r_y, 1.0]
@@ -129,7 +131,7 @@ class MitsubaScene:
         """Its picture is the screen, exactly."""
         screen, (n_x, n_y) = self._picture.screen, self._picture.screen.pixels
         middle, (_, up, across) = self._seen(screen)
-        r_x = screen.half_width[0] / self._unit
+        r_x = screen.half_width[0] / self._coordinates.unit
         behind = middle + _AWAY * r_x * self._onwards * across
         return {
             "type": "perspective",

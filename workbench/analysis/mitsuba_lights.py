@@ -81,7 +81,7 @@ def _sheets(
         return rays_as_light(mi, source, optic, unit, rays, seed)
     r_x, r_y = (r / unit for r in optic.half_width)
     z, to = optic.front_z / unit, mi.ScalarTransform4f
-    before = _BEFORE + (optic.front_z - optic.lowest) / unit
+    before = _BEFORE * max(r_x, r_y) + (optic.front_z - optic.lowest) / unit
     if source.along_axis:
         place = to().translate([0, 0, z - before]).scale([r_x, r_y, 1])
         return {"light": _sheet(place)}, 4 * r_x * r_y

@@ -65,21 +65,25 @@ def rays_as_light(
     """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
     random = np.random.default_rng([seed, 3])
     found = row_of(_RAYS, source)(source, optic, random, min(rays, _MOST))
-    before = _BEFORE * unit + optic.front_z - optic.lowest
+    size = max(optic.half_width)
+    before = _BEFORE * size + optic.front_z - optic.lowest
     met = outline_of(optic).contains(found.x, found.y) & (found.flux > 0)
     if not met.any():
         return {}, 1.0
     way, flux = found.way[met], found.flux[met]
     place = np.column_stack([found.x[met], found.y[met], np.full(len(flux), optic.front_z)])
-    mesh = _facets(mi, (place - way * (before / way[:, 2:])) / unit, way, flux)
+    mesh = _facets(mi, (place - way * (before / way[:, 2:])) / unit, way, flux, size / unit)
     return {"light": mesh}, mesh.surface_area() * found.emitted / float(flux.sum())
 
 
-def _facets(mi: Any, places: Array, ways: Array, flux: Array) -> Any:
-    """Triangles about places, as large as the flux, that shine along their normals."""
+def _facets(mi: Any, places: Array, ways: Array, flux: Array, lens: float) -> Any:
+    """Triangles about places, as large as the flux, that shine along their normals.
+
+    `lens`: half-width of the lens.
+    """
     around = 2 * math.pi * np.arange(3) / 3
     corner = np.column_stack([np.cos(around), np.sin(around), np.zeros(3)])
-    size = _SIZE * np.sqrt(flux / flux.max())
+    size = _SIZE * lens * np.sqrt(flux / flux.max())
     vertices = places[:, None] + size[:, None, None] * corner
     count = len(flux)
     properties = mi.Properties()

@@ -292,5 +292,6 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "bound": bounds,
     "led": leds,
     "mitsuba": tracers,
+    "trains": tracers,
     "paper": page,
 }

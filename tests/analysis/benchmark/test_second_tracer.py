@@ -15,6 +15,8 @@ from workbench.analysis.benchmark.second_tracer import (
     comparisons,
     scene_of,
     table,
+    train_examples,
+    trains,
 )
 from workbench.geometry.body import check_body
 from workbench.scene import Source
@@ -57,3 +59,13 @@ def test_both_see_the_same_light(monkeypatch):
         assert row.found.ours.efficiency > 0.01
     assert said[-1] == (", ".join(few[-1]), "100%")
     assert "| mirror | point | tilted | ellipse | " in table(rows).to_markdown()
+
+
+def test_trains_are_designed_and_seen_by_both(monkeypatch):
+    pytest.importorskip("mitsuba")
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)  # made sooner
+    assert {"dome-cover", "diffuser-lens", "tilted-lens", "white-light"} <= set(train_examples())
+    monkeypatch.setattr(second_tracer, "train_examples", lambda: iter(["tilted-lens"]))
+    (row,) = trains(lambda case, state: None, iterations=1, rays=60_000)
+    assert abs(row.light_deviations) < 4 and row.difference < 1.3 * row.noise
+    assert "| tilted-lens (lens) | collimated | plane | rectangle | " in table([row]).to_markdown()

@@ -7,6 +7,7 @@ BENCHMARKS = {
     "bound": "lenses for four pictures in the sun, and what no lens is below",
     "led": "lenses close to an LED: how much light lands on a rectangle, and how evenly",
     "mitsuba": "the check beside Mitsuba 3: every source, receiver and outline; an hour or so",
+    "trains": "the same of the examples of several elements and of white light, designed first",
     "paper": "all experiments of the paper: a table, and a page of pictures",
 }
 """What each measures."""

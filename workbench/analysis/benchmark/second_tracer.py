@@ -1,13 +1,15 @@
-"""The independent check beside Mitsuba 3: every source, receiver and outline."""
+"""The independent check beside Mitsuba 3: every source, receiver and outline, and trains."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from resources import path
-from workbench.analysis.benchmark.examples import Notify, Table, TableColumn
+from resources import EXAMPLES, path
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.arrays import Array
 from workbench.geometry.surface import freeform_nets
@@ -94,7 +96,7 @@ OPTICS: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class SeenTwice:
-    """A lens or mirror in both tracers."""
+    """A lens, a mirror or a train in both tracers."""
 
     optic: str
     source: str
@@ -133,7 +135,19 @@ class SeenTwice:
     @property
     def light(self) -> str:
         """The light on the receiver in the check and in Mitsuba."""
-        return f"{self.found.ours.efficiency:.2%} / {self.found.mitsuba.efficiency:.2%}"
+        return f"{self.found.ours.efficiency:.3%} / {self.found.mitsuba.efficiency:.3%}"
+
+    @property
+    def light_deviations(self) -> float:
+        """How much more light Mitsuba finds there, in standard deviations of its random paths."""
+        ours, theirs = self.found.ours.efficiency, self.found.mitsuba.efficiency
+        return (theirs - ours) / math.sqrt(ours * (1 - ours) / self.found.rays)
+
+    @property
+    def error(self) -> str:
+        """The error of the image in the check and in Mitsuba, without noise."""
+        ours, theirs = self.found.ours, self.found.mitsuba
+        return f"{ours.relative_l2_corrected:.2%} / {theirs.relative_l2_corrected:.2%}"
 
 
 def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
@@ -143,6 +157,33 @@ def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
         target = np.ones(scene.receiver.pixels[::-1])
         progress = _progress_of(notify, ", ".join(case))
         yield SeenTwice(*case, cross_check(scene, target, bent(scene), rays, progress=progress))
+
+
+def trains(notify: Notify, iterations: int | None = None, rays: int = RAYS) -> Iterator[SeenTwice]:
+    """Design the examples of several elements, tilted ones and white light; trace their lenses."""
+    changes = {} if iterations is None else {"run.iterations": iterations}
+    for name in train_examples():
+        task = BenchmarkTask.of(name, changes=changes)
+        progress = _progress_of(notify, name)
+        lens = task.designed(partial(notify, name)).state.heights
+        scene = task.scene
+        kinds = ", ".join(each.kind for each in scene.elements)
+        yield SeenTwice(
+            f"{name} ({kinds})",
+            scene.source.kind,
+            scene.receiver.kind,
+            scene.optic.outline,
+            cross_check(scene, task.target, lens, rays, progress=progress),
+        )
+
+
+def train_examples() -> Iterator[str]:
+    """Names of the examples that `trains` designs."""
+    for example in EXAMPLES:
+        scene = Scene.from_json(example.file.read_bytes())
+        several = len(scene.elements) > 1 or len(scene.lines) > 1
+        if len(scene.images) == 1 and (several or any(scene.optic.tilt)):
+            yield example.name
 
 
 def cases() -> Iterator[tuple[str, str, str, str]]:
@@ -194,10 +235,13 @@ def table(found: Sequence[SeenTwice]) -> Table:
         TableColumn("noise", "by noise alone", ".2%"),
         TableColumn("without_noise", "without noise (95 %)"),
         TableColumn("deviations", "standard deviations", ".1f"),
+        TableColumn("error", "error: check / Mitsuba"),
         TableColumn("light", "on the receiver: check / Mitsuba"),
+        TableColumn("light_deviations", "standard deviations", "+.1f"),
     )
     note = (
         "Relative L2 distance of both images, each divided by its sum. Standard deviations: those "
-        "of the square of the distance without noise, above none."
+        "of the square of the distance without noise, above none; and those of the light that "
+        "random paths of Mitsuba bring to the receiver."
     )
     return Table("The check beside Mitsuba 3", columns, found, note)

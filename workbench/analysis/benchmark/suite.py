@@ -32,6 +32,10 @@ SUITE = {
         lambda iterations, notify: second_tracer.comparisons(notify),
         lambda rows: (second_tracer.table(rows),),
     ),
+    "trains": Benchmark(
+        lambda iterations, notify: second_tracer.trains(notify, iterations),
+        lambda rows: (second_tracer.table(rows),),
+    ),
     "paper": Benchmark(experiments.experiments, experiments.tables),
 }
 """Benchmarks by the names of `names.BENCHMARKS`."""
