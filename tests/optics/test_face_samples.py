@@ -74,8 +74,11 @@ def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
     assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=2e-3)
 
 
-@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
-@SOURCES
+@pytest.mark.parametrize(
+    ("source", "emission"),
+    [(POINT, "uniform"), *((each, "lambertian") for each in ALL.values())],
+    ids=["uniform", *ALL],
+)
 def test_images_are_those_of_rays_that_search_for_the_face(make_scene, source, emission):
     grid = source["kind"] == "grid"
     rays = {"rays": 1 << (11 if grid else 15), "emission": emission}

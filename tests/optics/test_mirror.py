@@ -120,7 +120,7 @@ SOURCES = {
     "collimated": {"kind": "collimated", "rays": [40, 30]},
     "tilted": {"kind": "collimated", "rays": [40, 30], "direction": [5.0, -8.0]},
     "point": {"kind": "point", "position": [0.3, -0.2, -4.0], "rays": 4096},
-    "area": {"kind": "area", "center": [0, 0, -4.0], "half_width": [0.2, 0.1]},
+    "area": {"kind": "area", "center": [0, 0, -4.0], "half_width": [0.2, 0.1], "rays": 4096},
 }
 
 

@@ -6,6 +6,7 @@ import pytest
 from resources import path
 from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
+from tests.scenes import changed
 from workbench.analysis.validation import validate
 from workbench.cli.validate import print_image
 from workbench.extended.bound import Bound
@@ -29,10 +30,12 @@ def test_report_says_what_no_lens_is_below(make_scene, rng):
     assert "pixels" in blur.value
 
 
-@pytest.fixture
-def checked(make_scene, tmp_path):
+@pytest.fixture(scope="module")
+def checked(tmp_path_factory):
     """A flat plate before 4,000 rays of a file, on an image that their number makes rough."""
-    scene = make_scene({**PLATE, "source": led(tmp_path, 4000), "screen.half_width": [1.0, 1.0]})
+    source = led(tmp_path_factory.mktemp("led"), 4000)
+    few = {"source": source, "screen.half_width": [1.0, 1.0]}
+    scene = Scene.from_data(changed(PLATE | few))
     heights = {"lens.back": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
     even = validate(scene, np.ones((40, 40)), heights, 4000, accuracy=1e-3)
     return validate(scene, even.by_cells.irradiance, heights, 4000, accuracy=1e-3)

@@ -81,6 +81,8 @@ def test_examples_improve(name, part):
         "lens.back.control_points": [16, 16],
         "run.iterations": 20,
     }
+    if scene.source.kind == "grid":
+        changes["source.points"] = [9, 9]
     scene = with_values(scene, changes)
     losses = [
         snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))

@@ -52,7 +52,7 @@ def found_taps(alpha, size, kind):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(
     ("alpha", "size"),
-    [(alpha, size) for alpha in (1e-6, 0.1, 1.0, 2.0, 16.0, 40.0, 1e3, 1e6) for size in (3, 5)]
+    [(alpha, size) for alpha in (1e-6, 1.0, 16.0, 1e3, 1e6) for size in (3, 5)]
     + [(1e-4, 99), (1.0, 99), (300.0, 21)],
 )
 def test_taps_and_slopes_are_those_of_the_filter(alpha, size, kind):

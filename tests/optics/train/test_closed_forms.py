@@ -1,35 +1,38 @@
-"""Trains of tilted and shifted elements against closed forms and against themselves."""
+"""Trains of elements in all places against closed forms and against themselves."""
 
 import numpy as np
 import pytest
 import torch
 
-from tests.optics.rays import Given, bundle
-from tests.optics.train.test_behind_glass import from_far
-from tests.optics.train.test_elements import into, plate
-from tests.optics.train.tilted import (
+from tests.optics.train.trains import (
     ASIDE,
     FOLD,
+    INDEX,
     LIGHTS,
     SQUARE,
-    TurnedTo,
     asphere,
-    folded,
+    before,
+    from_far,
+    from_near,
+    heights_of,
     in_frame,
     level_faces,
     mirror,
-    own_faces,
+    plate,
     second,
     train,
+    window,
 )
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Ellipse, Rectangle
-from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Reflection
-from workbench.optics.path import Path
+from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw
+from workbench.optics.reference import Reference
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane
 from workbench.optics.train.compiled import CompiledTrain
+from workbench.scene import Scene
+
+FLAT = {"screen.half_width": [10, 10], "screen.pixels": [20, 20], "lens.reflection": "fresnel"}
 
 
 def test_an_afocal_pair_of_hyperboloids_gives_parallel_light(make_scene):
@@ -98,25 +101,6 @@ def test_a_shifted_lens_shifts_its_focus(make_scene):
     assert (rows - (10 - 10 * shift[1])).abs().max() < 1e-9
 
 
-@pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
-def test_a_folded_train_is_the_unfolded_one_upside_down(scene, light):
-    """The mirror exchanges y and z: what light meets behind it is a mirror image in y."""
-    path = train(scene, light, (20, 16), folded(torch.float64), ((0, 6, 1.5), ASIDE))
-    straight = in_frame(second(torch.float64), (0, 0, 1.5 + 1.6))
-    unfolded = train(scene, light, (20, 16), straight, ((0, 0, 1.5 + 6), (0.0, 0.0, 0.0)))
-    heights = own_faces(scene)
-    upside_down = heights | {"second": heights["second"].flip(1)}
-    hits, _, _ = CompiledTrain(path).nodes(heights)
-    expected, _, _ = CompiledTrain(unfolded).nodes(upside_down)
-    both = (hits[2] > 0) & (expected[2] > 0)
-    assert both.double().mean() > 0.2
-    # The mirror takes what misses it, and a tenth of the rest.
-    assert (hits[2] - 0.9 * expected[2])[both].abs().max() < 1e-14
-    assert ((hits[2] > 0) == (expected[2] > 0)).double().mean() > 0.9
-    assert (hits[0] - expected[0])[both].abs().max() < 1e-10
-    assert (hits[1] + expected[1] - scene.receiver.pixels[1])[both].abs().max() < 1e-10
-
-
 @pytest.mark.parametrize("surface", ["freeform", "asphere"])
 def test_a_lens_met_from_behind_is_its_mirror_image(scene, surface):
     """Behind a plane mirror, light to −z meets the back of a lens first."""
@@ -135,8 +119,8 @@ def test_a_lens_met_from_behind_is_its_mirror_image(scene, surface):
     straight = train(
         scene, LIGHTS["points"], (20, 16), unfolded, ((0.0, 0.0, 10.0), (0.0, 0.0, 0.0))
     )
-    heights = own_faces(scene)
-    negated = heights | {"second": -heights["second"]}
+    heights = heights_of(path)
+    negated = {name: -z if name == "second" else z for name, z in heights.items()}
     hits, _, _ = CompiledTrain(path).nodes(heights)
     expected, _, _ = CompiledTrain(straight).nodes(negated)
     both = hits[2] > 0
@@ -179,53 +163,111 @@ def test_an_outline_cuts_where_its_element_stands(make_scene):
     assert account.lost["missed_lens"] == pytest.approx((1 - part) * 0.96**2, rel=0.01)
 
 
-def test_a_path_turned_and_shifted_as_a_whole_is_the_same(scene, rng):
-    """Source, faces, the freeform ones too, and receiver: coordinates make no difference."""
-    turn = Frame.at((0.4, -0.7, 2.0), (50.0, 20.0, -70.0))
+def slab(slope, thickness, index):
+    """How far light of a slope moves aside in a slab."""
+    sine = slope / np.sqrt(1 + slope**2) / index
+    return thickness * sine / np.sqrt(1 - sine**2)
 
-    def whole(step_frame):
-        frame = step_frame or Frame.at((0, 0, 0))
-        return Frame(turn.position + turn.rotation @ frame.position, turn.rotation @ frame.rotation)
 
-    net = ControlNet.of(scene.optic)
-    freeform = BSplineSurface("lens.back", net, 0.0, torch.float64, level=0.5)
-    steps = [
-        FaceStep(Plane("entrance", 0.0, SQUARE), into(1 / 1.5, "entrance"), "missed_lens"),
-        FaceStep(freeform, into(1.5, "lens.back"), "left_side"),
-        *folded(torch.float64),
-    ]
-    screen = Frame.at((0, 6, 1.5), ASIDE)
-    x, y = rng.uniform(-0.8, 0.8, (2, 200))
-    place = np.column_stack([x, y, np.full(200, -1.0)])
-    way = np.column_stack([*rng.uniform(-0.1, 0.1, (2, 200)), np.ones(200)])
-    way /= np.linalg.norm(way, axis=1)[:, None]
-    found, heights = [], own_faces(scene)
-    for turned in (False, True):
-        rays = bundle(
-            turn.position + place @ turn.rotation.T if turned else place,
-            way @ turn.rotation.T if turned else way,
-            np.full(200, 1 / 200),
+def slopes_at(cells, outline, distance):
+    """Slopes of light of a point on the axis at corners of an aperture, shape (m_y, m_x)."""
+    x, y = (
+        (2 * np.arange(n + 1) / n - 1) * r / distance
+        for n, r in zip(cells, outline.half_width, strict=True)
+    )
+    return x[None, :], y[:, None]
+
+
+@pytest.mark.parametrize(("dtype", "accuracy"), [(torch.float64, 1e-9), (torch.float32, 1e-4)])
+def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dtype, accuracy):
+    """Each face takes ((n − 1) / (n + 1))² at any angle, and nothing else changes."""
+    scene, cells, thickness = make_scene(FLAT), (20, 16), 0.5
+    inner, outer, source = 1.0, 1.5, -3.0
+    outline, wide = Rectangle((0.2, 0.25)), Rectangle((0.4, 0.4))
+
+    def dome(datum):
+        faces = (
+            Conic("", source + radius - datum, -1 / radius, 0.0, wide) for radius in (inner, outer)
         )
-        own = [step._replace(frame=whole(step.frame)) if turned else step for step in steps]
-        receiver = TurnedTo(scene.receiver, whole(screen) if turned else screen)
-        path = Path(Given(rays), own, receiver, 0.0, Rectangle((99.0, 99.0)), 0, torch.float64)
-        leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
-        arrival = path.walk(leaves)
-        landing = arrival.rays.flux > 0
-        total = (arrival.column[landing] * arrival.rays.flux[landing]).sum()
-        gradients = torch.autograd.grad(total, list(leaves.values()))
-        (_, *places), _ = path.follow(path.emitter.rays(0), heights)
-        on_faces = np.array([[part.numpy() for part in each] for each in places])
-        if turned:
-            on_faces = np.einsum("ij,fin->fjn", turn.rotation, on_faces - turn.position[:, None])
-        found.append((arrival, landing, gradients, on_faces))
-    (one, landing, gradients, on_faces), (other, lands, others, same_places) = found
-    assert landing.double().mean() > 0.3
-    assert (landing == lands).all()
-    assert (one.column - other.column)[landing].abs().max() < 1e-10
-    assert (one.row - other.row)[landing].abs().max() < 1e-10
-    for name, flux in one.lost.items():
-        assert other.lost[name].item() == pytest.approx(flux.item(), abs=1e-12)
-    for here, there in zip(gradients, others, strict=True):
-        assert (here - there).norm() < 1e-9 * here.norm()
-    assert same_places[:, :, landing] == pytest.approx(on_faces[:, :, landing], abs=1e-12)
+        return plate(wide, *faces, absorption=0.3)
+
+    light = from_near(1, (0, 0, source), 0.0)
+    path = before(scene, light, cells, dome, outline, source + inner, dtype)
+    heights = {"lens.back": torch.full(scene.optic.net_shape, thickness, dtype=torch.float64)}
+    nodes = CompiledTrain(path).nodes(heights)
+    a, b = slopes_at(cells, outline, inner)
+    slope = np.hypot(a, b)
+    aside = slope * (scene.receiver.z - source - thickness) + slab(
+        slope, thickness, scene.optic.index
+    )
+    columns, rows = (10 + part * aside / np.where(slope > 0, slope, 1) for part in (a, -b))
+    assert nodes.hits[0].numpy() == pytest.approx(columns, abs=accuracy)
+    assert nodes.hits[1].numpy() == pytest.approx(rows, abs=accuracy)
+    passed = (1 - ((INDEX - 1) / (INDEX + 1)) ** 2) ** 2 * np.exp(-0.3 * (outer - inner))
+    there = light.light(a * inner, b * inner, source + inner, np.array(0))
+    cell = 4 * np.prod(outline.half_width) / np.prod(cells)
+    middle = there.density[1:-1, 1:-1] * cell * passed
+    behind = nodes.hits[2].numpy()[1:-1, 1:-1]
+    glass = Refraction(TransmittanceLaw.of(scene.optic)[0], "").law
+    cos = 1 / np.sqrt(1 + slope**2)[1:-1, 1:-1]
+    inside = np.sqrt(1 - (1 - cos**2) / scene.optic.index**2)
+    assert behind == pytest.approx(middle * glass.at(cos, inside) ** 2, rel=10 * accuracy)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.15])
+def test_a_plate_before_the_lens_shifts_light_towards_the_axis(make_scene, tilt):
+    """By t (tan θ − tan θ'); the same place behind a lens that is a plate itself."""
+    scene, cells, thick = make_scene(FLAT), (16, 12), 0.7
+    outline, wide = Rectangle((0.15, 0.1)), Rectangle((0.9, 0.9))
+    path = before(
+        scene,
+        from_near(1, (tilt, 0, -3), 0.0),
+        cells,
+        lambda datum: window(-2.0 - datum, -2.0 + thick - datum, wide),
+        outline,
+    )
+    heights = {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    nodes = CompiledTrain(path).nodes(heights)
+    a, b = slopes_at(cells, outline, 1.0)
+    a = a - tilt
+    slope = np.hypot(a, b)
+    aside = slope * (scene.receiver.z + 3 - thick - 0.5)
+    aside = aside + slab(slope, thick, INDEX) + slab(slope, 0.5, scene.optic.index)
+    by_slope = aside / np.where(slope > 0, slope, 1)
+    assert nodes.hits[0].numpy() == pytest.approx(10 + tilt + a * by_slope, abs=1e-9)
+    assert nodes.hits[1].numpy() == pytest.approx(10 - b * by_slope, abs=1e-9)
+
+
+def test_a_fixed_collimator_before_a_plate():
+    """A hyperbolic front, then a plane: light of its focus is parallel behind, and so it stays."""
+    scene = Scene.from_data(
+        {
+            "format": "freeform-scene",
+            "version": 2,
+            "lens": {"half_width": [1, 1], "control_points": [9, 8], "refractive_index": 1.5},
+            "source": {"kind": "collimated"},
+            "far_field": {"half_angle": [10, 10], "pixels": [20, 20]},
+            "target": {"builtin": "tophat"},
+        }
+    )
+    radius, front = 0.9, -1.5
+    focus = front - radius / (INDEX - 1)
+
+    def collimator(datum):
+        faces = (
+            Conic("front", front - datum, 1 / radius, -(INDEX**2), SQUARE),
+            Plane("back", -0.5 - datum, SQUARE),
+        )
+        return plate(SQUARE, *faces)
+
+    light, outline = from_near(1, (0, 0, focus), 0.0), Ellipse((0.6, 0.6))
+    path = before(scene, light, (20, 20), collimator, outline, front)
+    heights = {"lens.back": torch.full((9, 8), 0.3, dtype=torch.float64)}
+    for tracer in (CompiledTrain(path), Reference(path)):
+        nodes = tracer.nodes(heights)
+        columns, rows, flux = nodes.hits
+        lit = flux > 0
+        assert lit.double().mean() > 0.7
+        assert (columns[lit] - 10).abs().max() < 1e-9
+        assert (rows[lit] - 10).abs().max() < 1e-9
+        assert sum(nodes.account.to_data().values()) == pytest.approx(2, abs=1e-12)
