@@ -14,7 +14,7 @@ from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.powers import written
 from workbench.scene import PolygonRegion, RectangleRegion
-from workbench.scene.receiver import AnyRegion
+from workbench.scene.image import AnyRegion
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

@@ -32,7 +32,7 @@ from ui.words import tr
 if TYPE_CHECKING:
     from ui.document.frame import Frame
     from ui.window.docks import EarlyParts
-    from workbench.scene.receiver import Region
+    from workbench.scene.image import Region
 
 
 FOLLOW = "run/follow"

@@ -7,20 +7,21 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
 from workbench.scene.faces import LARGEST_NET, ConicFace, PlaneFace
 from workbench.scene.fields import LENGTH, AutoNet, FieldDescription, Measure
-from workbench.scene.image import DrawnTarget, Image, WantedImage
-from workbench.scene.lens import CustomIndex, Lens
-from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
-from workbench.scene.mirror_diffuser import Diffuser, GaussianScatter, LambertianScatter, Mirror
-from workbench.scene.part import Kinds, NonNegative, Part, Positive
-from workbench.scene.points import ExactMethod, LightOfPoints, MeshMethod, PointSource
-from workbench.scene.receiver import (
-    AnyReceiver,
+from workbench.scene.image import (
     AnyRegion,
+    DrawnTarget,
     EllipseRegion,
+    Image,
     PolygonRegion,
     RectangleRegion,
     Region,
+    WantedImage,
 )
+from workbench.scene.lens import CustomIndex, Lens
+from workbench.scene.mirror_diffuser import Diffuser, GaussianScatter, LambertianScatter, Mirror
+from workbench.scene.part import Kinds, NonNegative, Part, Positive
+from workbench.scene.points import ExactMethod, LightOfPoints, MeshMethod, PointSource
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.receivers import FarField, Receiver, Screen
 from workbench.scene.run import (
     AutoRun,
@@ -32,7 +33,15 @@ from workbench.scene.run import (
     RunSettings,
     Stage,
 )
-from workbench.scene.sources import CollimatedSource, GaussianProfile, Source, UniformProfile
+from workbench.scene.sources import (
+    CollimatedSource,
+    GaussianProfile,
+    MeasuredSource,
+    PhotometricSource,
+    RayFileSource,
+    Source,
+    UniformProfile,
+)
 from workbench.scene.spline_face import Base, Face, FlatBase, PlacedBase, SphereBase, SplineFace
 from workbench.scene.target import (
     BallTarget,

@@ -2,117 +2,92 @@
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from functools import cache
 from itertools import product
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.fields import ANGLE, LENGTH, PLACE, AutoNet, about
+from workbench.scene.fields import LENGTH, PLACE, AutoNet, FieldDescription, about, describe
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import Part, Positive
 from workbench.scene.spline_face import Face, PlacedBase, SplineFace, check_net
-from workbench.scene.turning import tilted
+from workbench.scene.turning import Place, Standing, Tilt
 
-Place = tuple[float, float, float]
 DEFAULT_WAVELENGTH = 0.5876
 """Vacuum wavelength in µm of light whose source does not state one: the helium d line."""
-_Angle = Annotated[float, Field(ge=-180, le=180)]
-Tilt = Annotated[
-    tuple[_Angle, _Angle, _Angle],
-    ANGLE,
-    PLACE,
-]
-
-Name = Annotated[
-    str,
-    about(
-        "Name",
-        "What the element is called; letters, digits, - and _.",
-        pattern=r"^[A-Za-z0-9_-]{1,40}$",
-    ),
-]
-ElementPosition = Annotated[
-    Place,
-    LENGTH,
-    PLACE,
-    about("Position", "Where the vertex of its front face stands: x, y and z."),
-]
-ElementTilt = Annotated[
-    Tilt,
-    about(
-        "Tilt",
-        "How the element is turned about its front vertex: about its x, then about its new y, then "
-        "about its new z.",
-    ),
-]
-HalfWidth = Annotated[
-    tuple[Positive, Positive],
-    LENGTH,
-    about("Half width", "Half of its extent along x and y. All of it is lit."),
-]
-Outline = Annotated[
-    Literal["rectangle", "ellipse"],
-    about(
-        "Outline",
-        "Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light "
-        "beside it misses the element.",
-    ),
-]
 
 
 class PlacedFace(NamedTuple):
-    """A face of an element.
+    """A face of an element."""
 
-    Attributes
-    ----------
-    name : str
-        Its id: the name of the element, and "front", "back" or "face", as in ``lens.back``.
-    path : str
-        Its path from the element, as in ``faces[1]``.
-    face : PlaneFace, ConicFace or SplineFace
-        Its shape.
-    z : float
-        z of its vertex, scene units.
-    """
-
-    name: str
-    path: str
+    name: str  # its id: name of the element, "front", "back" or "face", as in ``lens.back``
+    path: str  # from the element, as in ``faces[1]``
     face: Face
-    z: float
+    z: float  # of its vertex, scene units
 
 
-class Element(Part):
+class Element(Standing, Part):
     """One entry of an optical train: a lens, a mirror or a diffuser."""
 
+    # What it, its last freeform face, its solid part, and what light meets first are called within
+    # a sentence.
     called: ClassVar[str]
-    """What it is called within a sentence."""
-    most_faces: ClassVar[int]
-    """How many of its faces can be freeform."""
     face_called: ClassVar[str]
-    """What that face is called within a sentence."""
     body_called: ClassVar[str]
-    """What a solid part of this kind is called within a sentence."""
     front_called: ClassVar[str]
-    """What light meets first, within a sentence."""
-    onwards: ClassVar[int]
-    """1 if light goes on to +z behind it, -1 if it goes back to -z."""
-    losses: ClassVar[Mapping[str, Loss]]
-    """How light is lost at any of its kind, by the names of the light account."""
+    most_faces: ClassVar[int]  # how many of its faces can be freeform
+    onwards: ClassVar[int]  # 1 if light goes on to +z behind it, -1 if it goes back to -z
+    losses: ClassVar[Mapping[str, Loss]]  # at any of its kind, by the names of the light account
 
-    if TYPE_CHECKING:  # each kind has these fields, at their places in the file
-        kind: str
-        name: str
-        position: Place
-        tilt: Place
-        half_width: tuple[float, float]
-        outline: Literal["rectangle", "ellipse"]
+    kind: str
+    name: Annotated[
+        str,
+        about(
+            "Name",
+            "What the element is called; letters, digits, - and _.",
+            pattern=r"^[A-Za-z0-9_-]{1,40}$",
+        ),
+    ]
+    position: Annotated[
+        Place,
+        LENGTH,
+        PLACE,
+        about("Position", "Where the vertex of its front face stands: x, y and z."),
+    ] = (0.0, 0.0, 0.0)
+    tilt: Annotated[
+        Tilt,
+        about(
+            "Tilt",
+            "How the element is turned about its front vertex: about its x, then about its new y, "
+            "then about its new z.",
+        ),
+    ] = (0.0, 0.0, 0.0)
+    half_width: Annotated[
+        tuple[Positive, Positive],
+        LENGTH,
+        about("Half width", "Half of its extent along x and y. All of it is lit."),
+    ]
+    outline: Annotated[
+        Literal["rectangle", "ellipse"],
+        about(
+            "Outline",
+            "Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. "
+            "Light beside it misses the element.",
+        ),
+    ] = "rectangle"
+
+    @classmethod
+    @cache
+    def fields(cls) -> tuple[FieldDescription, ...]:
+        """What its fields say of themselves, those of all elements first."""
+        return tuple(describe(name, field) for name, field in cls.model_fields.items())
 
     @property
     @abstractmethod
@@ -131,39 +106,10 @@ class Element(Part):
         return first.name if others and first.face.designed else None
 
     @property
-    def upright(self) -> bool:
-        """Whether it stands upright on the axis z of the scene."""
-        return not any(self.tilt) and not any(self.position[:2])
-
-    @property
-    def turn(self) -> Array:
-        """Its unit vectors in the scene, as the columns of a matrix (3, 3)."""
-        return tilted(self.tilt)
-
-    @property
-    def origin(self) -> Array:
-        """Where its own coordinates begin in the scene, shape (3,).
-
-        Control heights, `placed_faces` and all other z of an element are counted from there along
-        its own z: ``position[2]`` is the z of its front vertex, however it stands. So they are z of
-        the scene where it stands upright.
-        """
-        return np.array(self.position) - self.position[2] * self.turn[:, 2]
-
-    def seen(self, places: Array) -> Array:
-        """Return places (..., 3) of the scene in its own coordinates, see `origin`."""
-        return places if self.upright else np.asarray((places - self.origin) @ self.turn)
-
-    def in_scene(self, places: Array) -> Array:
-        """Return places (..., 3) in its own coordinates as places of the scene."""
-        return places if self.upright else np.asarray(places @ self.turn.T + self.origin)
-
-    @property
     def corners(self) -> Array:
         """Corners (8, 3) in the scene of the box around an element before its design."""
-        ends: list[float] = []
-        for placed in self.placed_faces:
-            ends += PlacedBase(placed.face.base, placed.z).extent(self.half_width)
+        bases = (PlacedBase(placed.face.base, placed.z) for placed in self.placed_faces)
+        ends = [z for base in bases for z in base.extent(self.half_width)]
         sides = [(-r, r) for r in self.half_width]
         return self.in_scene(np.array(list(product(*sides, (min(ends), max(ends))))))
 
@@ -175,10 +121,8 @@ class Element(Part):
     @property
     def straightened(self) -> Self:
         """The element as it stands in its own coordinates, see `origin`."""
-        if self.upright:
-            return self
-        place = (0.0, 0.0, self.position[2])
-        return self.model_copy(update={"position": place, "tilt": (0.0, 0.0, 0.0)})
+        place = {"position": (0.0, 0.0, self.position[2]), "tilt": (0.0, 0.0, 0.0)}
+        return self if self.upright else self.model_copy(update=place)
 
     @property
     def designed(self) -> bool:
@@ -196,8 +140,8 @@ class Element(Part):
     @property
     def free(self) -> bool:
         """Whether the design changes one of its faces."""
-        fixed = [placed for placed, _ in self.fixed_faces]
-        return any(each.face.designed and each not in fixed for each in self.placed_faces)
+        faces = (placed.face for placed in self.placed_faces)
+        return any(isinstance(face, SplineFace) and not face.fixed for face in faces)
 
     @property
     def fixed_faces(self) -> tuple[tuple[PlacedFace, SplineFace], ...]:
@@ -230,18 +174,11 @@ class Element(Part):
 
     @property
     def _shaped(self) -> PlacedFace:
-        """The face of `designed_face`."""
-        return next(placed for placed in self.placed_faces if placed.name == self.designed_face)
+        return self.placed_faces[-1]
 
     @property
     def spline(self) -> SplineFace:
-        """The face of `designed_face`, which is a B-spline.
-
-        Raises
-        ------
-        TypeError
-            If it is none: the element is not designed.
-        """
+        """The face of `designed_face`, which is a B-spline; raises `TypeError` if it is none."""
         face = self._shaped.face
         if not isinstance(face, SplineFace):
             raise TypeError(f"the {self._shaped.name} face of {self.name} is no B-spline")
@@ -257,9 +194,9 @@ class Element(Part):
 
     def shaped(self, name: str | None = None, **changes: Any) -> Self:
         """Return the element with changes of a B-spline face, by default `designed_face`."""
+        faces = {placed.name: placed.face for placed in self.placed_faces}
         name = name or self.designed_face
-        face = next(placed.face for placed in self.placed_faces if placed.name == name)
-        return self.with_face(name, face.model_copy(update=changes))
+        return self.with_face(name, faces[name].model_copy(update=changes))
 
     @property
     def degree(self) -> tuple[int, int]:
@@ -299,7 +236,8 @@ class Element(Part):
     @property
     def entrance_range(self) -> tuple[float, float]:
         """The lowest and the highest z that the entrance face can come to."""
-        return self.front_z, self.front_z
+        low, high = self.entrance_offsets
+        return self.datum + low, self.datum + high
 
     @property
     def entrance_offsets(self) -> tuple[float, float]:
@@ -371,15 +309,9 @@ class Element(Part):
     ) -> Self:
         """The element with all that limits its heights.
 
-        Parameters
-        ----------
-        source_z, receiver_z : float
-            Where its source and its receiver are nearest to it; infinite if they are.
-        several : bool
-            Whether it makes several images.
-        part : float
-            Of the distance to the receiver, that it may rise where neither a height range nor a
-            maximal thickness is given.
+        `source_z`, `receiver_z`: where its source and its receiver are nearest to it; `several`:
+        whether it makes several images; `part`: of the distance to the receiver, that it may rise
+        where neither a height range nor a maximal thickness is given.
         """
         return self
 
@@ -411,13 +343,7 @@ class Element(Part):
 
     @property
     def net_shape(self) -> tuple[int, int]:
-        """Numbers of control points along x and y: as given, or as the program has chosen.
-
-        Raises
-        ------
-        Refused
-            If it has yet to choose; a `Session`, which has a target, is a task where it has.
-        """
+        """As `known_shape`; raises `Refused` where the program has yet to choose."""
         if self.known_shape is None:
             path = f"{self._shaped.path}.control_points"
             raise Refused(path, Message("'auto' needs a target to choose for; numbers"))
@@ -425,7 +351,10 @@ class Element(Part):
 
     @property
     def known_shape(self) -> tuple[int, int] | None:
-        """As `net_shape`; None where the program has yet to choose, or nothing is designed."""
+        """Numbers of control points along x and y: as given, or as the program has chosen.
+
+        None where it has yet to choose, or nothing is designed.
+        """
         if not self.designed:
             return None
         points = self.control_points
@@ -433,15 +362,11 @@ class Element(Part):
 
     def with_net(self, shape: tuple[int, int] | None) -> Self:
         """The same for whose ``"auto"`` the program has chosen a net; None takes a choice back."""
-        if not isinstance(self.control_points, AutoNet):
-            return self
-        return self.shaped(control_points=AutoNet(shape))
+        auto = isinstance(self.control_points, AutoNet)
+        return self.shaped(control_points=AutoNet(shape)) if auto else self
 
     def limits_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[Array, Array]:
-        """Lowest and highest z that control points at (x, y) may have; x and y broadcast.
-
-        The highest is infinite where nothing says how high the face may rise.
-        """
+        """Lowest and highest z, the latter perhaps infinite, of control points at (x, y)."""
         low, high = self.height_range or (-math.inf, math.inf)
         base = self.base.height_at(x, y)
         return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
@@ -456,13 +381,7 @@ class Element(Part):
         return losses
 
     def check_element(self) -> None:
-        """Refuse an element that cannot be computed with, or cannot be made.
-
-        Raises
-        ------
-        Refused
-            With the path of the field from the element, the value and what is allowed.
-        """
+        """Refuse an element that cannot be computed with or made; paths are from the element."""
         limits.check_width(self.half_width)
         places = [(f"position[{axis}]", place) for axis, place in enumerate(self.position)]
         limits.check_lengths(places, self.half_width, limits.FARTHEST)
@@ -481,8 +400,3 @@ class Element(Part):
     def _own_heights(self) -> list[tuple[str, float]]:
         """Names and values of further fields that are heights of the element."""
         return []
-
-
-def relative(factor: float) -> Callable[[dict[str, Any]], float]:
-    """Default length: a multiple of the larger half-width (0 where that was refused)."""
-    return lambda data: factor * max(data.get("half_width", (0.0,)))

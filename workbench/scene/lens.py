@@ -14,23 +14,12 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from workbench import materials
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.materials import refractive_index
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import (
-    DEFAULT_WAVELENGTH,
-    Element,
-    ElementPosition,
-    ElementTilt,
-    HalfWidth,
-    Name,
-    Outline,
-    PlacedFace,
-    relative,
-)
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
@@ -57,10 +46,7 @@ class CustomIndex(Part):
 
 
 def denser(material: str | CustomIndex, index: float, off: float) -> CustomIndex:
-    """Return a material whose index, which is given, is off; its dispersion stays.
-
-    No scene file has it: there it is its index alone.
-    """
+    """Return a material with another index and the same dispersion; files have its index alone."""
     made = CustomIndex(index=index + off)
     if isinstance(material, str):
         made._off = material, off
@@ -84,27 +70,17 @@ Reflectance = Annotated[float, Field(ge=0, lt=1)]
 # automatic range is 0.8 % off, and 5.8 and 5.3 % with a quarter of the half-width. For one image a
 # wide range gains nothing, and light of near sources leaves by the side before a face far in it.
 _RISE = 0.25
-
 # And by this part of the way from a source to it: what it may rise is glass that the exit face
-# stands on, in which light of near sources spreads. An LED 10 mm before a lens 120 mm wide, error
-# and light on the screen:
-#
-# | rise | error | light |
-# |---|---|---|
-# | flat entrance face | 24.5 % | 70 % |
-# | 3 mm | 9.6 % | 69 % |
-# | 6 mm | 8.8 % | 68 % |
-# | 15 mm, a quarter of the half-width | 13.7 % | 49 % |
+# stands on, in which light of near sources spreads. With an LED 10 mm before a lens 120 mm wide and
+# a rise of 0, 3, 6 and 15 mm the error is 24.5, 9.6, 8.8 and 13.7 %; 70, 69, 68 and 49 % of the
+# light come to the screen.
 _NEAR_RISE = 0.5
-
 # A designed exit face seldom rises farther above its base than so many half-widths of the lens.
 # Stock that reaches far to the screen does not tell where the exit face will be: a first lens in
 # stock of 500 mm was 34 % off, and is 17 % off.
 _RISES = 1.0
-
 # A receiver that is infinitely far counts as so many half-widths of the lens away.
 _FAR = 8.0
-
 # An automatic thickness takes at most so many half-widths: where it goes up to a screen that is 1e9
 # away, the undesigned lens was 250,000 thick, and its heights had too few digits for its shape.
 _THICKEST = 1000.0
@@ -113,7 +89,7 @@ _THICKEST = 1000.0
 def _thinnest(data: dict[str, Any]) -> float:
     """Default minimal thickness: small beside the lens and its stock."""
     thickest = data.get("max_thickness")
-    usual = relative(0.05)(data)
+    usual = limits.relative(0.05)(data)
     return usual if thickest is None else min(usual, thickest / 2)
 
 
@@ -133,11 +109,6 @@ class Lens(Element):
     losses = LENS_LOSSES
 
     kind: Literal["lens"]
-    name: Name
-    position: ElementPosition = (0.0, 0.0, 0.0)
-    tilt: ElementTilt = (0.0, 0.0, 0.0)
-    half_width: HalfWidth
-    outline: Outline = "rectangle"
     material: Annotated[
         Material,
         about("Material", "What the lens is made of: a catalogue material, or a custom index."),
@@ -239,11 +210,8 @@ class Lens(Element):
         return self.position[2]
 
     def _own_heights(self) -> list[tuple[str, float]]:
-        return [
-            ("thickness", self.thickness),
-            ("max_thickness", self.max_thickness or 0.0),
-            ("min_thickness", self.min_thickness),
-        ]
+        names = ("thickness", "max_thickness", "min_thickness")
+        return [(name, getattr(self, name) or 0.0) for name in names]
 
     def check_element(self) -> None:
         """Refuse what cannot be computed with, and what cannot be made."""
@@ -277,9 +245,8 @@ class Lens(Element):
 
     def remarks(self) -> Mapping[str, str]:
         """The index of a named material."""
-        if isinstance(self.material, str):
-            return {"material": f"n = {self.index:.5f}"}
-        return {}
+        named = isinstance(self.material, str)
+        return {"material": f"n = {self.index:.5f}"} if named else {}
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""
@@ -305,18 +272,8 @@ class Lens(Element):
 
     @property
     def front_z(self) -> float:
-        """Where light reaches the lens: sources stand before this plane, and are judged at it.
-
-        The light of a source is what passes the outline in this plane; no point of the entrance
-        face is before it.
-        """
+        """The plane that sources stand before: no point of the entrance face is before it."""
         return self.entrance_range[0]
-
-    @property
-    def entrance_range(self) -> tuple[float, float]:
-        """The lowest and the highest z that the entrance face can come to."""
-        low, high = self.entrance_offsets
-        return self.entrance_z + low, self.entrance_z + high
 
     @property
     def entrance_offsets(self) -> tuple[float, float]:
@@ -325,7 +282,7 @@ class Lens(Element):
 
     @property
     def datum(self) -> float:
-        """The place of the entrance face."""
+        """See `Element.datum`."""
         return self.entrance_z
 
     @property
@@ -340,17 +297,15 @@ class Lens(Element):
         if self.max_thickness is not None:
             shared.append(self.max_thickness - self.min_thickness)
         if self.height_range is not None:
-            top = self.base.extent(self.half_width)[0] + self.height_range[1]
-            shared.append(top - self.entrance_z - self.min_thickness)
+            shared.append(glass + self.height_range[1])
         return max(min(shared) / 2, 0.0)
 
     @property
     def leaving_z(self) -> float:
         """The highest that the exit face can become, as far as a design may come to it."""
         top = self.base.extent(self.half_width)[1]
-        if not self.designed:
-            return top
-        return min(self.highest, max(top, self.floor) + _RISES * max(self.half_width))
+        rises = max(top, self.floor) + _RISES * max(self.half_width)
+        return min(self.highest, rises) if self.designed else top
 
     @property
     def lowest(self) -> float:
@@ -371,8 +326,7 @@ class Lens(Element):
     def highest(self) -> float:
         """The z that no point of the exit face can be above.
 
-        Without a height range and a maximal thickness it is the top of the base: each run keeps
-        the face clear of its screen.
+        Without any limit it is the top of the base: each run keeps the face clear of its screen.
         """
         top = self.base.extent(self.half_width)[1]
         if not self.designed:
@@ -443,4 +397,4 @@ class Lens(Element):
         """Refractive index as a number."""
         if isinstance(self.material, CustomIndex):
             return self.material.at(self._wavelength)
-        return materials.refractive_index(self.material, self._wavelength)
+        return refractive_index(self.material, self._wavelength)

@@ -5,7 +5,8 @@ height loses the digits that make its shape, and light of a point arrives.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from workbench.errors import Refused
 from workbench.messages import Message
@@ -111,3 +112,8 @@ def check_lengths(
                     most=longest,
                 ),
             )
+
+
+def relative(factor: float) -> Callable[[dict[str, Any]], float]:
+    """Default length: a multiple of the larger half-width (0 where that was refused)."""
+    return lambda data: factor * max(data.get("half_width", (0.0,)))

@@ -6,16 +6,8 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.messages import Message
-from workbench.scene.element import (
-    Element,
-    ElementPosition,
-    ElementTilt,
-    HalfWidth,
-    Name,
-    Outline,
-    PlacedFace,
-    relative,
-)
+from workbench.scene import limits
+from workbench.scene.element import Element, PlacedFace
 from workbench.scene.faces import PlaneFace
 from workbench.scene.fields import ANGLE, LENGTH, about
 from workbench.scene.losses import Loss, TakesLight
@@ -51,11 +43,6 @@ class Mirror(Element):
     losses = _MIRROR_LOSSES
 
     kind: Literal["mirror"]
-    name: Name
-    position: ElementPosition = (0.0, 0.0, 0.0)
-    tilt: ElementTilt = (0.0, 0.0, 0.0)
-    half_width: HalfWidth
-    outline: Outline = "rectangle"
     face: Annotated[Face, about("Face", "The face that reflects.")]
     reflectance: Annotated[
         float,
@@ -84,7 +71,7 @@ class Mirror(Element):
             "How far the flat back of the plate is behind the highest point of the mirror, in "
             "exports of the plate.",
         ),
-    ] = Field(default_factory=relative(0.1))
+    ] = Field(default_factory=limits.relative(0.1))
 
     @property
     def placed_faces(self) -> tuple[PlacedFace, ...]:
@@ -224,11 +211,6 @@ class Diffuser(Element):
     losses = _DIFFUSER_LOSSES
 
     kind: Literal["diffuser"]
-    name: Name
-    position: ElementPosition = (0.0, 0.0, 0.0)
-    tilt: ElementTilt = (0.0, 0.0, 0.0)
-    half_width: HalfWidth
-    outline: Outline = "rectangle"
     scatter: Annotated[
         Scatter, about("Scatter", "In which directions the light goes on behind the plane.")
     ]

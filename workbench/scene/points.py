@@ -8,10 +8,11 @@ from pydantic import ConfigDict, Field
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene.element import Element, Place
+from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, PLACE, Choices, ForMethod, about
 from workbench.scene.part import Kinds, Part
-from workbench.scene.source import MOST_RAYS, AnySource, check_place, in_front
+from workbench.scene.source import MOST_RAYS, PlacedSource, check_place, in_front
+from workbench.scene.turning import Place
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -106,7 +107,7 @@ Fresh = Annotated[
 ]
 
 
-class LightOfPoints(AnySource):
+class LightOfPoints(PlacedSource):
     """What points have in common: each emits into a cone that just covers the entrance face."""
 
     kind: str
@@ -118,11 +119,6 @@ class LightOfPoints(AnySource):
     intersection: Intersection = ExactMethod()
 
     @property
-    def place(self) -> Place:
-        """Its middle, scene units."""
-        return self.position
-
-    @property
     def turns(self) -> bool:
         """Where its points are more than one, or light falls with the cosine: cones follow."""
         return self.point_count > 1 or self.emission == "lambertian"
@@ -130,7 +126,7 @@ class LightOfPoints(AnySource):
     @property
     def positions(self) -> Array:
         """Where its points are, scene units, shape (n, 3); all have the same z."""
-        return np.array([self.place])
+        return np.array([self.position])
 
     @property
     def point_count(self) -> int:
@@ -154,12 +150,8 @@ class LightOfPoints(AnySource):
 
     def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too fine."""
-        check_place("source.position", self.place, optic)
+        check_place("source.position", self.position, optic)
         self.intersection.check_for(optic)
-
-    def placed(self, place: Place) -> Self:
-        """The same source with its middle elsewhere."""
-        return self.model_copy(update={"position": place})
 
 
 class PointSource(LightOfPoints):
@@ -194,11 +186,6 @@ class PointSource(LightOfPoints):
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Where the scene's source is."""
         return {"position": scene.source.place or in_front(scene.optic)}
-
-    @property
-    def ray_count(self) -> int:
-        """All its rays."""
-        return self.rays
 
     @property
     def mirrored(self) -> tuple[bool, bool]:

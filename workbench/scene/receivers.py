@@ -11,23 +11,20 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import Element, Place, Tilt
+from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
 from workbench.scene.part import Kinds, Positive
 from workbench.scene.receiver import AnyReceiver, Pixels
-from workbench.scene.turning import tilt_of, tilted
+from workbench.scene.turning import Place, Tilt, tilt_of, tilted
 
 if TYPE_CHECKING:
-    from workbench.scene.element import Element
     from workbench.scene.task import Scene
 
 # Light that falls along a plane is taken to meet it this steeply.
 _GRAZING = 1e-3
-
 # What comes nearer to the plane of the optic than this part of the screen's half diagonal is beside
 # it: perspective on a plane across the axis would be endless.
 _BESIDE = 0.1
-
 # A new screen stands this many half-widths behind the lens, and is seen within so many radians.
 _DISTANCE, _WIDEST = 10.0, 1.3
 
@@ -99,11 +96,6 @@ class Screen(AnyReceiver):
         return copy
 
     @property
-    def half_extent(self) -> tuple[float, float]:
-        """Its half-width."""
-        return self.half_width
-
-    @property
     def z(self) -> float:
         """Z of its middle, scene units."""
         return self.position[2]
@@ -127,10 +119,7 @@ class Screen(AnyReceiver):
     def mirrored(self) -> tuple[bool, bool]:
         """Where its middle is in that plane, and it is turned about an axis across it."""
         (x, y), (about_x, about_y, about_z) = self.center, self.tilt
-        return (
-            x == 0 and about_y == 0 and about_z == 0,
-            y == 0 and about_x == 0 and about_z == 0,
-        )
+        return x == about_y == about_z == 0, y == about_x == about_z == 0
 
     @property
     def plane_z(self) -> float:
@@ -146,10 +135,8 @@ class Screen(AnyReceiver):
     ) -> tuple[Array, ...]:
         """Along lines."""
         right, up, _ = self.sides
-        way = [
-            to + u * a + v * b - at
-            for to, a, b, at in zip(self.position, right, up, place, strict=True)
-        ]
+        parts = zip(self.position, right, up, place, strict=True)
+        way = [to + u * a + v * b - at for to, a, b, at in parts]
         length = np.sqrt(way[0] ** 2 + way[1] ** 2 + way[2] ** 2)
         return tuple(part / length for part in way)
 
@@ -193,7 +180,7 @@ class Screen(AnyReceiver):
 
     def per_radian(self, z: float) -> tuple[float, float]:
         """How far from there its middle is, and more along a side that leans away."""
-        way = np.array(self.position) - np.array([0.0, 0.0, z])
+        way = self.stands_at - [0.0, 0.0, z]
         far = math.hypot(*way)
         across = max(abs(float(self.sides[2] @ way)), _GRAZING * far)
         along_x, along_y = (far * math.hypot(1.0, lean / across) for lean in self.lean(z))
@@ -202,7 +189,7 @@ class Screen(AnyReceiver):
     def lean(self, z: float) -> tuple[float, float]:
         """Rounding of that way moves light by as great a part of this."""
         right, up, _ = self.sides
-        way = np.array(self.position) - np.array([0.0, 0.0, z])
+        way = self.stands_at - [0.0, 0.0, z]
         return abs(float(right @ way)), abs(float(up @ way))
 
     def check_lengths(self, half_width: tuple[float, float]) -> None:
@@ -215,7 +202,7 @@ class Screen(AnyReceiver):
         """Refuse an optic that may touch it, or that is behind it."""
         (r_x, r_y), ends = optic.half_width, (optic.lowest, optic.highest)
         corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), ends)))
-        before = optic.onwards * ((np.array(self.position) - corners) @ self.sides[2]) > 0
+        before = optic.onwards * ((self.stands_at - corners) @ self.across) > 0
         behind = self._either_side and not before.any()
         if not self.upright and not before.all() and not behind:
             raise Refused(
@@ -344,11 +331,6 @@ class FarField(AnyReceiver):
                 )
 
     @property
-    def half_extent(self) -> tuple[float, float]:
-        """Its half angles."""
-        return self.half_angle
-
-    @property
     def middle(self) -> tuple[float, float]:
         """Its middle."""
         return self.center
@@ -379,32 +361,23 @@ class FarField(AnyReceiver):
         cosines: Array = np.cos(v + rows * (math.radians(self.half_angle[1]) / n_y))
         return cosines[:, None]
 
-    @property
-    def plane_z(self) -> float:
-        """None: refused."""
-        raise Refused("receiver", Message("is at no distance; a screen is needed"))
-
-    def moved_to(self, z: float) -> "FarField":
-        """Refused."""
-        raise Refused("receiver", Message("is at no distance; a screen is needed"))
-
     def towards(
-        self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array
+        self, optic: Element, place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
         """The same from everywhere."""
         return tuple(np.moveaxis(self._direction(optic, u, v), -1, 0))
 
-    def drawn(self, optic: "Element", u: Array, v: Array) -> Array:
+    def drawn(self, optic: Element, u: Array, v: Array) -> Array:
         """On a sphere around the place that light leaves."""
         around = np.array([0.0, 0.0, optic.leaving_z])
         return np.asarray(around + self.radius(optic) * self._direction(optic, u, v))
 
     @staticmethod
-    def radius(optic: "Element") -> float:
+    def radius(optic: Element) -> float:
         """Of the sphere on which it is drawn, scene units."""
         return _RADIUS * max(optic.half_width)
 
-    def nearest_to(self, optic: "Element") -> float:
+    def nearest_to(self, optic: Element) -> float:
         """It is infinitely far."""
         return optic.onwards * math.inf
 
@@ -413,10 +386,7 @@ class FarField(AnyReceiver):
         degrees = math.degrees(1)
         return degrees / math.cos(math.radians(self.center[1])), degrees
 
-    def check_lit_by(self, optic: "Element") -> None:
-        """Refuse nothing: light of any optic has a direction."""
-
-    def _direction(self, optic: "Element", h: Array, v: Array) -> Array:
+    def _direction(self, optic: Element, h: Array, v: Array) -> Array:
         """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
         h, v = np.radians(h), np.radians(v)
         onwards = optic.onwards if self.turn is None else 1

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, PrivateAttr
@@ -11,11 +11,11 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import DEFAULT_WAVELENGTH, Element, Place
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.fields import Fallback, Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.turning import proper
+from workbench.scene.turning import Place, proper
 
 # A new source stands this many lens half-widths before the entrance face.
 _DISTANCE = 5.0
@@ -244,6 +244,32 @@ class AnySource(Part):
     def widened(self, corner: Array, digits: int) -> Self:
         """The same source with a corner at a place, shape (3,); lengths have so many decimals."""
         return self
+
+
+class PlacedSource(AnySource):
+    """A source that stands somewhere before the first element."""
+
+    if TYPE_CHECKING:  # each kind has these fields, at their places in the file
+        position: Place
+        rays: int
+
+    @property
+    def place(self) -> Place:
+        """Its position."""
+        return self.position
+
+    @property
+    def ray_count(self) -> int:
+        """All its rays."""
+        return self.rays
+
+    def placed(self, place: Place) -> Self:
+        """See `AnySource.placed`."""
+        return self.model_copy(update={"position": place})
+
+    def check_before(self, optic: Element) -> None:
+        """Refuse an optic that is not behind it, or too near or too far."""
+        check_place("source.position", (*self.position[:2], self.nearest_z), optic)
 
 
 def check_place(path: str, place: Place, optic: Element) -> None:

@@ -14,12 +14,20 @@ from workbench.refusals import refusal
 from workbench.scene import limits, versions
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
 from workbench.scene.fields import about
-from workbench.scene.image import MOST_IMAGES, Image, WantedImage, images_like, wanted_images
+from workbench.scene.image import (
+    MOST_IMAGES,
+    Image,
+    Region,
+    WantedImage,
+    check_regions,
+    images_like,
+    wanted_images,
+)
 from workbench.scene.lens import Lens
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
 from workbench.scene.part import Kinds, Part
-from workbench.scene.receiver import AnyReceiver, Region, check_regions
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.receivers import Receiver
 from workbench.scene.run import AutoRun, Filter, GaussianFilter, Run, stage_scenes
 from workbench.scene.sources import Source
@@ -319,17 +327,9 @@ class Scene(Part):
         return tuple(self.with_images((image,)) for image in self.images)
 
     def wanted(self, target: Array) -> tuple[WantedImage, ...]:
-        """All images that are wanted, the first one first.
+        """All images that are wanted, with the target (n_y, n_x) of the first one.
 
-        Parameters
-        ----------
-        target : ndarray, shape (n_y, n_x)
-            Of the first one.
-
-        Raises
-        ------
-        Refused
-            If the target of a further image has yet to be drawn.
+        Raises `Refused` if the target of a further image has yet to be drawn.
         """
         return wanted_images(self, target)
 
@@ -344,19 +344,8 @@ class Scene(Part):
         return len(self.elements) > 1 or not self.elements[0].upright
 
     def check_one_element(self, who: str) -> None:
-        """Refuse trains of several elements, as `check_one_image` refuses several images.
-
-        And one element that is tilted or shifted.
-        """
-        if len(self.elements) > 1:
-            raise Refused(
-                "elements",
-                Message(
-                    "{count} given, which {who} cannot take into account; one",
-                    count=len(self.elements),
-                    who=who,
-                ),
-            )
+        """Refuse several elements, and one that is tilted or shifted; see `check_one_image`."""
+        self._check_one("elements", who)
         if not self.first.upright:
             raise Refused(
                 "elements[0].tilt" if any(self.first.tilt) else "elements[0].position",
@@ -380,27 +369,16 @@ class Scene(Part):
             )
 
     def check_one_image(self, who: str) -> None:
-        """Refuse further images where only one is known.
+        """Refuse further images for what knows one image only, called so within a sentence."""
+        self._check_one("images", who)
 
-        Parameters
-        ----------
-        who : str
-            What knows one image only, within a sentence.
-
-        Raises
-        ------
-        Refused
-            With the field of the further images.
-        """
-        if len(self.images) > 1:
-            raise Refused(
-                "images",
-                Message(
-                    "{count} given, which {who} cannot take into account; one",
-                    count=len(self.images),
-                    who=who,
-                ),
+    def _check_one(self, field: str, who: str) -> None:
+        count = len(getattr(self, field))
+        if count > 1:
+            several = Message(
+                "{count} given, which {who} cannot take into account; one", count=count, who=who
             )
+            raise Refused(field, several)
 
     @property
     def image(self) -> str | None:
@@ -458,11 +436,7 @@ class Scene(Part):
     def stage_scenes(self) -> tuple["Scene", ...]:
         """The run as scenes without stages, one after the other; the last is what is wanted.
 
-        Raises
-        ------
-        Refused
-            If a stage is not possible, there are too many, or they leave no iteration for the
-            scene itself.
+        Raises `Refused` if stages are not possible.
         """
         return stage_scenes(self)
 
@@ -489,26 +463,17 @@ class Scene(Part):
     def in_unit(self, unit: Unit) -> Self:
         """The same scene with all its lengths in another unit.
 
-        Which fields are lengths stands with the fields, as `fields.LENGTH`.
-
-        Raises
-        ------
-        Refused
-            If the numbers would be too large or too small to be computed with.
+        Raises `Refused` if numbers would be too large or too small to be computed with.
         """
         if unit == self.unit:
             return self
-        scaled = self.scaled(units.ratio(self.unit, unit))  # which is checked
-        return scaled.altered(unit=unit)
+        return self.scaled(units.ratio(self.unit, unit)).altered(unit=unit)
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Self:
         """Read a scene from the text of a scene file.
 
-        Raises
-        ------
-        Refused
-            With the path of the field, the value and what is allowed.
+        Raises `Refused` with the path of the field, the value and what is allowed.
         """
         try:
             version = _Versioned.model_validate_json(text).version

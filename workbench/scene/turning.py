@@ -1,14 +1,57 @@
-"""Rotations: tilts of elements, receivers and lamps, and of collimated light."""
+"""Places and rotations: tilts of elements, receivers and lamps, and of collimated light."""
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
+from pydantic import Field
 
 from workbench.arrays import Array
+from workbench.scene.fields import ANGLE, PLACE
+
+Place = tuple[float, float, float]
+_Angle = Annotated[float, Field(ge=-180, le=180)]
+Tilt = Annotated[tuple[_Angle, _Angle, _Angle], ANGLE, PLACE]
 
 # Parts of unit vectors below this are rounding.
 _ROUNDING = 1e-14
+
+
+class Standing:
+    """What stands somewhere in the scene, with coordinates of its own."""
+
+    if TYPE_CHECKING:  # fields of the part
+        position: Place
+        tilt: Place
+
+    @property
+    def upright(self) -> bool:
+        """Whether it stands upright on the axis z of the scene."""
+        return not any(self.tilt) and not any(self.position[:2])
+
+    @property
+    def turn(self) -> Array:
+        """Its unit vectors in the scene, as the columns of a matrix (3, 3)."""
+        return tilted(self.tilt)
+
+    @property
+    def origin(self) -> Array:
+        """Where its own coordinates begin in the scene, shape (3,).
+
+        Control heights, `placed_faces` and all other z of an element are counted from there along
+        its own z: ``position[2]`` is the z of its front vertex, however it stands. So they are z of
+        the scene where it stands upright.
+        """
+        return np.array(self.position) - self.position[2] * self.turn[:, 2]
+
+    def seen(self, places: Array) -> Array:
+        """Return places (..., 3) of the scene in its own coordinates, see `origin`."""
+        return places if self.upright else np.asarray((places - self.origin) @ self.turn)
+
+    def in_scene(self, places: Array) -> Array:
+        """Return places (..., 3) in its own coordinates as places of the scene."""
+        return places if self.upright else np.asarray(places @ self.turn.T + self.origin)
 
 
 def turned(about: tuple[float, float]) -> Array:

@@ -11,30 +11,25 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import Element, Place
+from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, PLACE, Measure, about
 from workbench.scene.part import NonNegative, Positive
 from workbench.scene.points import Emission, LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.source import MOST_RAYS, AnySource, check_place, disc, in_front
+from workbench.scene.source import MOST_RAYS, PlacedSource, disc, in_front
+from workbench.scene.turning import Place
 
 if TYPE_CHECKING:
     from workbench.scene.points import Emission
     from workbench.scene.task import Scene
 
 
-class WideSource(AnySource):
+class WideSource(PlacedSource):
     """A source that covers a place of some size, at one z."""
 
     if TYPE_CHECKING:  # each kind has these fields, at their places in the file
-        position: Place
         half_width: tuple[float, float]
         emission: Emission
-
-    @property
-    def place(self) -> Place:
-        """Its middle."""
-        return self.position
 
     def places(self, x: Array, y: Array) -> Array:
         """Places (..., 3) at distances from its middle along its own x and y, which broadcast."""
@@ -78,10 +73,6 @@ class WideSource(AnySource):
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
         limits.check_lengths(extent, optic.half_width, limits.FARTHEST)
         super().check_before(optic)
-
-    def placed(self, place: Place) -> Self:
-        """The same source with its middle elsewhere."""
-        return self.model_copy(update={"position": place})
 
     def shrunk(self, factor: float) -> Self:
         """A source of another size about the same middle."""
@@ -296,19 +287,9 @@ class AreaSource(WideSource):
         return True
 
     @property
-    def ray_count(self) -> int:
-        """All its rays."""
-        return self.rays
-
-    @property
     def blur_shape(self) -> Literal["rectangle", "ellipse"]:
         """Its outline."""
         return self.outline
-
-    def check_before(self, optic: Element) -> None:
-        """Refuse an optic that is not behind it, or too near, too far or too small beside it."""
-        check_place("source.position", (*self.position[:2], self.nearest_z), optic)
-        super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""
