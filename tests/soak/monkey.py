@@ -19,7 +19,6 @@ import sys
 import threading
 import time
 from collections.abc import Generator
-from functools import partial
 from pathlib import Path
 from random import Random
 
@@ -28,10 +27,8 @@ from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
 import resources
-import ui.windows
 from tests.soak.actions import ACTIONS, windows
 from tests.soak.dialogs import answer, open_dialog
-from tests.soak.kept import AccountedRecovery
 from tests.soak.watch import Watch, resident_mb
 from ui import app
 from ui.main_window import MainWindow
@@ -236,15 +233,10 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--after", type=int, default=0, help="leave out so many steps")
     parser.add_argument("--seconds", type=float, default=120.0)
-    parser.add_argument("--keep-every-ms", type=int, help="recovery interval")
     options = parser.parse_args()
     folder = options.folder.absolute()
     _furnish(folder)
     os.environ["XDG_CONFIG_HOME"] = str(folder / "settings")
-    if options.keep_every_ms is not None:
-        ui.windows.Recovery = partial(  # type: ignore[attr-defined]
-            AccountedRecovery, account=folder / "kept.log", every_ms=options.keep_every_ms
-        )
     played: list[Monkey] = []
     run = QApplication.exec
 
