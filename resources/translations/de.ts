@@ -2155,13 +2155,18 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Cut {lens}</source>
-            <translation>Fräsen: {lens}</translation>
+            <source>A file is still being written. Start the next one after it.</source>
+            <translation>Eine Datei wird noch geschrieben. Danach die nächste beginnen.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A file is still being written. Export the next one after it.</source>
-            <translation>Eine Datei wird noch geschrieben. Danach die nächste exportieren.</translation>
+            <source>No file was written.</source>
+            <translation>Keine Datei geschrieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Cut {lens}</source>
+            <translation>Fräsen: {lens}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2195,11 +2200,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file was written.</source>
-            <translation>Keine Datei geschrieben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>{format} in {unit}</source>
             <translation>{format} in {unit}</translation>
         </message>
@@ -2220,11 +2220,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A report is still being written. Start the next one after it.</source>
-            <translation>Ein Bericht wird noch geschrieben. Danach den nächsten starten.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>Writing {file}, with a check of {lens}…</source>
             <translation>{file} wird geschrieben, mit einer Prüfung: {lens} …</translation>
         </message>
@@ -2232,16 +2227,6 @@
             <location filename="../../ui/files/exporter.py" />
             <source>Report {lens}</source>
             <translation>Bericht: {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>No report was written.</source>
-            <translation>Kein Bericht geschrieben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>{path} is written.</source>
-            <translation>{path} ist geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2267,6 +2252,11 @@
             <location filename="../../ui/files/plots.py" />
             <source>Picture ({endings})</source>
             <translation>Bild ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{path} is written.</source>
+            <translation>{path} ist geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />

@@ -2155,13 +2155,18 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Cut {lens}</source>
-            <translation>Usiner : {lens}</translation>
+            <source>A file is still being written. Start the next one after it.</source>
+            <translation>Un fichier est encore en cours d'écriture. Commencez le suivant après.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A file is still being written. Export the next one after it.</source>
-            <translation>Un fichier est en cours d'écriture. Exportez le suivant ensuite.</translation>
+            <source>No file was written.</source>
+            <translation>Aucun fichier n'a été écrit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Cut {lens}</source>
+            <translation>Usiner : {lens}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2195,11 +2200,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file was written.</source>
-            <translation>Aucun fichier n'a été écrit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>{format} in {unit}</source>
             <translation>{format} en {unit}</translation>
         </message>
@@ -2220,11 +2220,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A report is still being written. Start the next one after it.</source>
-            <translation>Un rapport est en cours d'écriture. Lancez le suivant ensuite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>Writing {file}, with a check of {lens}…</source>
             <translation>Écriture de {file}, avec vérification : {lens}…</translation>
         </message>
@@ -2232,16 +2227,6 @@
             <location filename="../../ui/files/exporter.py" />
             <source>Report {lens}</source>
             <translation>Rapport : {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>No report was written.</source>
-            <translation>Aucun rapport n'a été écrit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>{path} is written.</source>
-            <translation>{path} est écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2267,6 +2252,11 @@
             <location filename="../../ui/files/plots.py" />
             <source>Picture ({endings})</source>
             <translation>Image ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{path} is written.</source>
+            <translation>{path} est écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />

@@ -181,28 +181,23 @@ COMMANDS = {
         )
         for command, code in LANGUAGE_CHOICES.items()
     },
-    **{
-        name: Command(text, tip, checked=by_weight is False)
-        for (name, by_weight), text, tip in zip(
-            RAYS_BY.items(),
-            ("Colour by &outcome", "Colour by &weight"),
-            ("Rays that miss the screen are red", "By the fraction of a ray's flux that arrives"),
-            strict=True,
-        )
-    },
-    **{
-        name: Command(text, tip, checked=name == "faces_material")
-        for name, text, tip in zip(
-            FACES_BY,
-            ("As their &material", "By &height", "By &curvature"),
-            (
-                "Draw faces of the {optic} as glass or metal",
-                "Colour faces of the {optic} by height along z: dark is low",
-                "Colour faces of the {optic} by curvature: red is concave towards +z, blue convex",
-            ),
-            strict=True,
-        )
-    },
+    "rays_by_outcome": Command(
+        "Colour by &outcome", "Rays that miss the screen are red", checked=True
+    ),
+    "rays_by_weight": Command(
+        "Colour by &weight", "By the fraction of a ray's flux that arrives", checked=False
+    ),
+    "faces_material": Command(
+        "As their &material", "Draw faces of the {optic} as glass or metal", checked=True
+    ),
+    "faces_by_height": Command(
+        "By &height", "Colour faces of the {optic} by height along z: dark is low", checked=False
+    ),
+    "faces_by_curvature": Command(
+        "By &curvature",
+        "Colour faces of the {optic} by curvature: red is concave towards +z, blue convex",
+        checked=False,
+    ),
     "relief": Command(
         "&Relief exaggerated",
         "Exaggerate the relief of faces in the 3D view; the {optic} is unchanged",

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QMessageBox
 
-from ui.background import Background, Task
+from ui.background import Background, Task, Work
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.control import NO_LENS, CurrentLens
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import MessageBar, Offer
 from ui.words import error_text, later, tr
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
@@ -32,13 +32,14 @@ from workbench.report.content import HTML, PDF, check_ending
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
-    from workbench.files.export.write import Written
     from workbench.files.session import Session
     from workbench.scene import Scene
 
 
-class Exporter(QObject):
-    """Asks for a file and writes it in a thread of its own, one at a time."""
+class LensWriter(QObject):
+    """Writes the lens in a thread, one file at a time, with a message that may cancel it."""
+
+    _WORK = later("export")
 
     def __init__(
         self,
@@ -49,16 +50,50 @@ class Exporter(QObject):
         parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._document = document
-        self._lens = lens
-        self._messages = messages
-        self._dialogs = dialogs
-        self.ask_cutting: Callable[[Session], CutPlan | None] = lambda session: None
-        self._background = Background(later("export"), self)
-        self._begun = ""
+        self._document, self._lens = document, lens
+        self._messages, self._dialogs = messages, dialogs
+        self._background = Background(self._WORK, self)
+        self._begun, self._offers = "", list[Offer]()  # the message, and its buttons
         self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._tell)
+        self._background.done.connect(self._show_written)
         self._background.failed.connect(messages.warn)
+
+    def cancel(self) -> None:
+        self._background.stop()
+
+    def close(self) -> None:
+        self._background.close()
+
+    def _writable_lens(self) -> "Session | None":
+        """Return the design to write; report why there is none, or no time for it."""
+        if self._background.busy:
+            text = tr("A file is still being written. Start the next one after it.")
+            self._messages.note(text, *self._offers)
+            return None
+        session = self._lens.session
+        if session is None:
+            self._messages.note(tr(NO_LENS))
+        return session
+
+    def _begin(self, text: str, work: Work, cancellable: bool) -> None:
+        self._begun = text
+        self._offers = [(tr("Cancel"), self.cancel)] if cancellable else []
+        self._messages.note(text, *self._offers, lasts=True)
+        self._background.begin(work, self._lens.text)
+
+    def _show_progress(self, _: object, percent: int) -> None:
+        self._messages.amend(self._begun, f"{self._begun} {percent} %")
+
+    def _show_written(self, lens: str, sentences: "list[str] | None") -> None:
+        self._messages.done(
+            tr("No file was written.") if sentences is None else "; ".join([*sentences, lens])
+        )
+
+
+class Exporter(LensWriter):
+    """Asks for a file and writes it."""
+
+    ask_cutting: "Callable[[Session], CutPlan | None]"  # set by the window
 
     def choose_and_export(self) -> None:
         """Ask for a file, and the element where there are several, and write it."""
@@ -85,12 +120,8 @@ class Exporter(QObject):
 
     def export(self, path: Path, mesh_unit: str = MILLIMETRES) -> None:
         """Write a file; ask which element it holds, and for the cut of G-code."""
-        if self._background.busy:
-            self._messages.note(tr("A file is still being written. Export the next one after it."))
-            return
-        session = self._lens.session
+        session = self._writable_lens()
         if session is None:
-            self._messages.note(tr(NO_LENS))
             return
         try:
             found = format_of(path)
@@ -141,10 +172,8 @@ class Exporter(QObject):
         mesh_unit: str = MILLIMETRES,
     ) -> None:
         names = ", ".join(path.name for path in files)
-        self._begun = tr("Writing {name}…").format(name=names)
-        offers = [] if plan is None else [(tr("Cancel"), self._background.stop)]
-        self._messages.note(self._begun, *offers, lasts=True)
-        self._background.begin(partial(_write, session, files, plan, mesh_unit), self._lens.text)
+        text = tr("Writing {name}…").format(name=names)
+        self._begin(text, partial(_write, session, files, plan, mesh_unit), plan is not None)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -161,19 +190,6 @@ class Exporter(QObject):
             if mesh_unit == MILLIMETRES or (each.takes_unit and unit != MILLIMETRES)
         }
 
-    def close(self) -> None:
-        self._background.close()
-
-    def _show_progress(self, _: object, percent: int) -> None:
-        self._messages.amend(self._begun, f"{self._begun} {percent} %")
-
-    def _tell(self, lens: str, written: "list[Written] | None") -> None:
-        self._messages.done(
-            tr("No file was written.")
-            if written is None
-            else "; ".join([*(each.sentence for each in written), lens])
-        )
-
 
 def _write(
     session: "Session",
@@ -181,7 +197,7 @@ def _write(
     plan: "CutPlan | None",
     mesh_unit: str,
     task: Task,
-) -> "list[Written]":
+) -> list[str]:
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
@@ -196,7 +212,7 @@ def _write(
             task.report(reported)
 
     return [
-        written
+        written.sentence
         for path, element in files.items()
         for written in export(
             session, [path], mesh_unit=mesh_unit, plan=plan, progress=report, element=element
@@ -219,28 +235,15 @@ def _filter(found: Format, unit: str = "") -> str:
 
 
 _COMMAND = (sys.executable, "-P", "-m", "workbench", "report")
-_SAYS = "freeform: "  # before a reason
+_PREFIX = "freeform: "  # before a reason
 _OFTEN = 0.1  # seconds after which it may be cancelled
 _REPORT_FILTERS = later({"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0]})
 
 
-class Reporter(QObject):
-    """Asks for a file and writes a report in a process, one at a time."""
+class Reporter(LensWriter):
+    """Asks for a file and writes a report, by a process."""
 
-    def __init__(
-        self,
-        document: Document,
-        lens: CurrentLens,
-        messages: MessageBar,
-        dialogs: FileDialogs,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._lens = document, lens
-        self._messages, self._dialogs = messages, dialogs
-        self._background = Background(later("report"), self)
-        self._background.done.connect(self._tell)
-        self._background.failed.connect(messages.warn)
+    _WORK = later("report")
 
     def choose_and_report(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""
@@ -249,27 +252,15 @@ class Reporter(QObject):
             self.report(path)
 
     def report(self, path: Path) -> None:
-        if self._background.busy:
-            self._messages.note(
-                tr("A report is still being written. Start the next one after it."),
-                (tr("Cancel"), self.cancel),
-            )
-            return
-        found = self._lens.session
+        found = self._writable_lens()
         if found is None:
-            self._messages.note(tr(NO_LENS))
             return
         document = self._document
         session = document.verified.complete(found)
         name = document.suggested_path.stem
-        self._messages.note(
-            tr("Writing {file}, with a check of {lens}…").format(
-                file=path.name, lens=self._lens.text
-            ),
-            (tr("Cancel"), self.cancel),
-            lasts=True,
-        )
-        self._background.begin(partial(_write_report, session, name, path))
+        text = tr("Writing {file}, with a check of {lens}…")
+        text = text.format(file=path.name, lens=self._lens.text)
+        self._begin(text, partial(_write_report, session, name, path), cancellable=True)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -278,21 +269,8 @@ class Reporter(QObject):
             "report", title, name, {tr(k): e for k, e in _REPORT_FILTERS.items()}
         )
 
-    def cancel(self) -> None:
-        self._background.stop()
 
-    def close(self) -> None:
-        self._background.close()
-
-    def _tell(self, _: None, path: Path | None) -> None:
-        self._messages.done(
-            tr("No report was written.")
-            if path is None
-            else tr("{path} is written.").format(path=path)
-        )
-
-
-def _write_report(session: "Session", name: str, path: Path, task: Task) -> Path | None:
+def _write_report(session: "Session", name: str, path: Path, task: Task) -> list[str] | None:
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.session import write_session
 
@@ -305,7 +283,7 @@ def _write_report(session: "Session", name: str, path: Path, task: Task) -> Path
             return None
         with replacing(path) as file, report.open("rb") as source:
             shutil.copyfileobj(source, file)
-    return path
+    return [f"{path}: {tr('report')}"]
 
 
 def _run_command(command: list[str], task: Task) -> bool:
@@ -321,5 +299,5 @@ def _run_command(command: list[str], task: Task) -> bool:
                 pass
     if process.returncode:
         *_, last = ["it ended without a message", *output.splitlines()]
-        raise RunFailed(f"No report: {last.removeprefix(_SAYS)}")
+        raise RunFailed(f"No report: {last.removeprefix(_PREFIX)}")
     return True

@@ -75,7 +75,8 @@ class LoadedParts(QObject):
         CoarseNetNotice(document, self.control, messages, begin[0])
         self.follow.settled.connect(lambda: shortfall.follow(document.session))
         self.follow.settled.connect(lost_light.report)
-        self.reflection = TotalReflectionNotice(document, self.control, views.scene)
+        self.reflection = TotalReflectionNotice(document, self.control)
+        self.reflection.located.connect(views.scene.show_spots)
         self.reflection.reported.connect(self._report_reflection)
         self.follow.settled.connect(self.reflection.look)
         docked = {**views.docked, "check": self.figures, "runs": self.runs.table}

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal
 from ui.background import Background, Task
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
-from ui.views.scene_view import SceneView
 from ui.widgets.messages import MessageBar, Offer
 from ui.window.edit_notices import Notice
 from ui.words import later, tr
@@ -183,13 +182,14 @@ class ShortfallNotice(Notice):
 
 
 class TotalReflectionNotice(QObject):
-    """Reports after a run where light is totally reflected, and marks it in the 3D view."""
+    """Reports after a run where light is totally reflected."""
 
     reported = Signal(str)
+    located = Signal(object, object)  # ControlHeights, points (n, 3)
 
-    def __init__(self, document: Document, control: "RunControl", view: SceneView) -> None:
+    def __init__(self, document: Document, control: "RunControl") -> None:
         super().__init__(control)
-        self._document, self._view = document, view
+        self._document = document
         self._background = Background(later("search for total reflection"), self)
         self._background.done.connect(self._show)
         self._background.failed.connect(self.reported)
@@ -210,7 +210,7 @@ class TotalReflectionNotice(QObject):
         heights = session.heights
         if found is None or heights is None:
             return
-        self._view.show_spots(heights, found.places)
+        self.located.emit(heights, found.places)
         message = Message(
             "{where}, as marked in the 3D scene: {cure}.",
             where=found.sentence(session.scene),

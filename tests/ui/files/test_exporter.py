@@ -4,7 +4,6 @@ import dataclasses
 import itertools
 import re
 import threading
-from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QTimer
@@ -115,7 +114,7 @@ def held(monkeypatch):
 
     def write(session, files, plan, mesh_unit, task):
         assert release.wait(30)
-        return [SimpleNamespace(sentence="written")]
+        return ["written"]
 
     monkeypatch.setattr("ui.files.exporter._write", write)
     yield release

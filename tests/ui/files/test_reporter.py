@@ -32,7 +32,7 @@ def written(window, qtbot):
 @pytest.mark.parametrize(("name", "begin"), [("a.html", b"<!doctype html>"), ("a.pdf", b"%PDF-")])
 def test_a_report_is_written(display, window, written, name, begin, tmp_path):
     path = tmp_path / name
-    assert written(path) == f"{path} is written."
+    assert written(path).startswith(f"{path}: report; this lens")
     content = path.read_bytes()
     assert content.startswith(begin) and len(content) > 50_000
     if name == "a.html":
@@ -46,7 +46,7 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
     monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
     window.commands["report"].trigger()
     assert "Writing there.html" in window.messages.text
-    qtbot.waitUntil(lambda: window.messages.text == f"{path} is written.", timeout=30_000)
+    qtbot.waitUntil(lambda: window.messages.text.startswith(f"{path}: report; "), timeout=30_000)
     assert path.read_bytes().startswith(b"PK")  # the session itself
     assert path.read_bytes().endswith(b"flat lens.freeform")
     assert [each.name for each in tmp_path.iterdir() if each.suffix != ".ini"] == ["there.html"]
@@ -94,6 +94,6 @@ def test_a_report_is_cancelled_from_its_message(window, endless, tmp_path, qtbot
     assert "still being written" in window.messages.text
     assert window.messages.buttons[0].text() == "Cancel"
     window.messages.buttons[0].click()
-    qtbot.waitUntil(lambda: window.messages.text == "No report was written.", timeout=30_000)
+    qtbot.waitUntil(lambda: window.messages.text == "No file was written.", timeout=30_000)
     assert endless[0].returncode not in (None, 0)
     assert len(endless) == 1 and not path.exists()

@@ -14,22 +14,12 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 
 
-class View:
-    """Takes what is to be marked."""
-
-    def __init__(self):
-        self.spots = []
-
-    def show_spots(self, heights, places):
-        self.spots.append((heights, places))
-
-
 @pytest.fixture
 def desk(qtbot, session, as_run):
     owner = QObject()
     owner.document = Document(session, "small")
     owner.document.setParent(owner)
-    owner.control, owner.view, owner.said = RunControl(owner.document, owner), View(), []
+    owner.control, owner.spots, owner.said = RunControl(owner.document, owner), [], []
     x, _ = ControlNet.of(session.scene.optic).positions
     rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * np.ones((12, 10))
 
@@ -46,7 +36,8 @@ def desk(qtbot, session, as_run):
             owner.control.start()
 
     owner.end = end
-    owner.notice = TotalReflectionNotice(owner.document, owner.control, owner.view)
+    owner.notice = TotalReflectionNotice(owner.document, owner.control)
+    owner.notice.located.connect(lambda *spots: owner.spots.append(spots))
     owner.notice.reported.connect(owner.said.append)
     yield owner
     owner.notice.close()
@@ -62,5 +53,5 @@ def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
         "% of the light is totally reflected at the exit face, most of it around x = " in sentence
     )
     assert "as marked in the 3D scene: thicker stock" in sentence
-    ((heights, places),) = desk.view.spots
+    ((heights, places),) = desk.spots
     assert heights == desk.document.session.heights and places[:, 0].min() > 0.1
