@@ -27,7 +27,7 @@ from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.snapshot import ENDINGS, FAILED
 from workbench.jobs import JOBS
 from workbench.materials import CATALOGUE
-from workbench.optics.account import LOSSES, words_for
+from workbench.optics.account import LOSSES, words_of
 from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
@@ -85,13 +85,13 @@ def _of_engine() -> Iterator[str]:
         yield from (optic.called, optic.face_called, "entrance face")
     for receiver in RECEIVERS:
         yield from (receiver.called, receiver.place, receiver.density.capitalize())
-        for words in words_for(receiver).values():
-            yield from words
+        for loss in ("on_screen", *LOSSES):
+            yield from words_of(loss, receiver)
     seen: set[type[Part]] = set()
     for part in (Scene, *JOBS):
         yield from _of_part(part, seen)
     yield from BOUNDS.values()
-    yield from (text for loss in LOSSES.values() for text in (loss.where, loss.cure))
+    yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
     for tolerance in ABOUT.values():

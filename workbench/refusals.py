@@ -32,6 +32,8 @@ SENTENCES = {
     "unknown_kind": "{input} is not available; allowed: {expected}",
     "too_short": "{actual_length} values given; at least {min_length} are needed",
     "too_long": "{actual_length} values given; exactly {max_length} are needed",
+    "account": "the parts emitted, greater than 0, and on_screen are needed",
+    "part_of_account": "{input} is no part of a light account",
     "auto_net": "{input}: two whole numbers or 'auto' are needed",
     "material": "{input} is neither a name nor an index above 1",
 }
@@ -55,6 +57,8 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
     for step in location:
         if isinstance(step, int):
             path += f"[{step}]"
+            continue
+        if step == "[key]":  # the name itself is wrong, whose path this is
             continue
         tagged = [c for c in candidates if _has_tag(c, step)]
         if tagged and len(candidates) > 1:

@@ -7341,6 +7341,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>the parts emitted, greater than 0, and on_screen are needed</source>
+            <translation>die Teile emitted, größer als 0, und on_screen werden benötigt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is no part of a light account</source>
+            <translation>{input} ist kein Teil einer Lichtbilanz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{input}: two whole numbers or 'auto' are needed</source>
             <translation>{input}: zwei ganze Zahlen oder 'auto' sind nötig</translation>
         </message>
@@ -9111,6 +9121,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/optics/paths.py" />
+            <source>{face} of {element}</source>
+            <translation>{face} von {element}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/paths.py" />
             <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
             <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
         </message>
@@ -9305,6 +9320,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>von hinter dem Fernfeld betrachtet</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
+            <translation>{size:g} um {middle:g} endet jenseits des Empfängers; dort höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>have no area between them; a polygon with some</source>
+            <translation>umschließen keine Fläche; ein Polygon mit Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>make sides that cross; in their order around the polygon</source>
+            <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sind angegeben; höchstens {most}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>the entrance face</source>
             <translation>die Eintrittsfläche</translation>
@@ -9360,9 +9395,9 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>eine flachere Basis, </translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/measured_source.py" />
-            <source>'{file}' is none of these: {endings}</source>
-            <translation>'{file}' ist keines von diesen: {endings}</translation>
+            <location filename="../../workbench/scene/losses.py" />
+            <source>{loss} ({element})</source>
+            <translation>{loss} ({element})</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/mirror_diffuser.py" />
@@ -9416,23 +9451,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/receiver.py" />
-            <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
-            <translation>{size:g} um {middle:g} endet jenseits des Empfängers; dort höchstens {most:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>have no area between them; a polygon with some</source>
-            <translation>umschließen keine Fläche; ein Polygon mit Fläche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>make sides that cross; in their order around the polygon</source>
-            <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sind angegeben; höchstens {most}</translation>
+            <source>is at no distance; a screen is needed</source>
+            <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/receivers.py" />
@@ -9468,11 +9488,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/receivers.py" />
             <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
             <translation>{half:g} um {middle:g} reicht über {most:g} Grad hinaus; höchstens {left:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receivers.py" />
-            <source>is at no distance; a screen is needed</source>
-            <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/run.py" />
@@ -9523,6 +9538,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/sources.py" />
             <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
             <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>'{file}' is none of these: {endings}</source>
+            <translation>'{file}' ist keines von diesen: {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/spline_face.py" />
@@ -9576,16 +9596,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{face} of {element}</source>
-            <translation>{face} von {element}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; one</source>
-            <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>das Element ist verkippt, was {who} nicht berücksichtigen kann; 0</translation>
         </message>
@@ -9593,6 +9603,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/task.py" />
             <source>'diffuser', which {who} cannot take into account; none</source>
             <translation>'diffuser', was {who} nicht berücksichtigen kann; keiner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train.py" />

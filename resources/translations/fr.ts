@@ -7341,6 +7341,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>the parts emitted, greater than 0, and on_screen are needed</source>
+            <translation>les parts emitted, supérieure à 0, et on_screen sont nécessaires</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is no part of a light account</source>
+            <translation>{input} n'est pas une part d'un bilan de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{input}: two whole numbers or 'auto' are needed</source>
             <translation>{input} : il faut deux nombres entiers ou 'auto'</translation>
         </message>
@@ -9111,6 +9121,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/optics/paths.py" />
+            <source>{face} of {element}</source>
+            <translation>{face} de {element}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/paths.py" />
             <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
             <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
         </message>
@@ -9305,6 +9320,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>vu de derrière le champ lointain</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
+            <translation>{size:g} autour de {middle:g} dépasse le récepteur ; au plus {most:g} à cet endroit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>have no area between them; a polygon with some</source>
+            <translation>n'entourent aucune surface ; un polygone qui en a une</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>make sides that cross; in their order around the polygon</source>
+            <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/image.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sont donnés ; au plus {most}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>the entrance face</source>
             <translation>la face d'entrée</translation>
@@ -9360,9 +9395,9 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>une base plus plate, </translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/measured_source.py" />
-            <source>'{file}' is none of these: {endings}</source>
-            <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
+            <location filename="../../workbench/scene/losses.py" />
+            <source>{loss} ({element})</source>
+            <translation>{loss} ({element})</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/mirror_diffuser.py" />
@@ -9416,23 +9451,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/receiver.py" />
-            <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
-            <translation>{size:g} autour de {middle:g} dépasse le récepteur ; au plus {most:g} à cet endroit</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>have no area between them; a polygon with some</source>
-            <translation>n'entourent aucune surface ; un polygone qui en a une</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>make sides that cross; in their order around the polygon</source>
-            <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receiver.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sont donnés ; au plus {most}</translation>
+            <source>is at no distance; a screen is needed</source>
+            <translation>n'a pas de distance ; il faut un écran</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/receivers.py" />
@@ -9468,11 +9488,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/receivers.py" />
             <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
             <translation>{half:g} autour de {middle:g} dépasse {most:g} degrés ; au plus {left:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/receivers.py" />
-            <source>is at no distance; a screen is needed</source>
-            <translation>n'a pas de distance ; il faut un écran</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/run.py" />
@@ -9523,6 +9538,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/sources.py" />
             <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
             <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/sources.py" />
+            <source>'{file}' is none of these: {endings}</source>
+            <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/spline_face.py" />
@@ -9576,16 +9596,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{face} of {element}</source>
-            <translation>{face} de {element}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; one</source>
-            <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>l'élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
         </message>
@@ -9593,6 +9603,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/task.py" />
             <source>'diffuser', which {who} cannot take into account; none</source>
             <translation>'diffuser', ce que {who} ne peut pas prendre en compte ; aucun</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train.py" />

@@ -39,7 +39,7 @@ def test_the_check_sees_the_image_of_the_design(changes):
     checked = validate(scene, target, lens, rays=500_000)
     assert sum(seen.account.to_data().values()) == pytest.approx(2, abs=1e-12)  # and emitted
     assert sum(checked.account.to_data().values()) == pytest.approx(2, abs=1e-12)
-    for name in ("on_screen", "absorbed_diffuser", "missed_diffuser"):
+    for name in ("on_screen", "absorbed_diffuser@film", "missed_diffuser@film"):
         one, other = (found.account.to_data()[name] for found in (seen, checked))
         assert one == pytest.approx(other, abs=2e-3)
     # Scatter of as many rays in as many pixels.

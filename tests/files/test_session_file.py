@@ -1,6 +1,7 @@
 import io
 import json
 import zipfile
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from tests.accounts import account_of, result_of
 from workbench import __version__
 from workbench.errors import Refused
 from workbench.files.session import Session, open_design, read_session, write_session
+from workbench.optics.account import Account
 
 TARGET, FACE = "images/0/target.npy", "faces/lens.back.npy"
 ARRAYS = [TARGET, FACE, "images/0/irradiance.npy", "loss.npy"]
@@ -192,6 +194,41 @@ class TestRefused:
     )
     def test_a_wrong_header(self, forge_header, changes, message):
         assert refused(forge_header(changes)).startswith(message)
+
+
+class TestLedger:
+    def test_losses_at_elements_come_back(self, session, path):
+        at_elements = {
+            "off_screen": 0.1,
+            "missed_lens@dome": 0.125,
+            "absorbed_mirror@fold_2": 0.075,
+        }
+        account = Account(0.7, at_elements)
+        result = session.result.with_state(account=account)
+        write_session(replace(session, result=result), path)
+        header = json.loads(entries_of(path)["session.json"])
+        assert header["result"]["ledger"] == {"emitted": 1, "on_screen": 0.7, **at_elements}
+        assert read_session(path).result.state.account == account
+
+    @pytest.mark.parametrize(
+        ("changes", "message"),
+        [
+            ({"shade": 0.1}, ".shade: 'shade' is no part of a light account"),
+            (
+                {"absorbed@a b": 0.1},
+                ".'absorbed@a b': 'absorbed@a b' is no part of a light account",
+            ),
+            ({"on_screen@lens": 0.1}, ".'on_screen@lens': 'on_screen@lens' is no part of a light"),
+            ({"absorbed@lens": None}, ".'absorbed@lens': None is not a number"),
+            ({"emitted": 0.0}, ": the parts emitted, greater than 0, and on_screen are needed"),
+        ],
+    )
+    def test_what_is_no_account_is_refused(self, session, path, forge_header, changes, message):
+        write_session(session, path)
+        result = json.loads(entries_of(path)["session.json"])["result"]
+        result["ledger"] |= changes
+        expected = f": session.json: result.ledger{message}"
+        assert refused(forge_header({"result": result})).startswith(expected)
 
 
 @settings(

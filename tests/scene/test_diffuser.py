@@ -7,7 +7,7 @@ import pytest
 from tests.diffusers import with_diffuser
 from tests.scenes import changed
 from workbench.errors import Refused
-from workbench.optics.account import losses_in
+from workbench.optics.account import keys_in
 from workbench.scene import Scene
 
 _LAMBERTIAN = {"kind": "lambertian"}
@@ -67,5 +67,8 @@ def test_parts_that_know_no_diffuser_refuse_it():
 
 
 def test_the_account_knows_the_losses_of_all_elements():
-    losses = losses_in(Scene.from_data(with_diffuser()))
-    assert {"fresnel_exit", "missed_diffuser", "absorbed_diffuser", "off_screen"} <= losses.keys()
+    at_lens = ("missed_lens", "left_side", "total_reflection", "fresnel_entrance", "fresnel_exit")
+    at_film = "missed_diffuser@film", "absorbed_diffuser@film"
+    keys = keys_in(Scene.from_data(with_diffuser()))
+    assert keys == ("off_screen", *(f"{kind}@lens" for kind in at_lens), *at_film)
+    assert keys_in(Scene.from_data(with_diffuser(transmittance=1.0)))[-1] == "missed_diffuser@film"

@@ -244,12 +244,11 @@ def _rows_of(
 ) -> "list[tuple[Fact, str]]":
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.measured.lamps import light_unit
-    from workbench.optics.account import words_for
+    from workbench.optics.account import words_of
     from workbench.report.figures import account_rows, check_rows, region_rows
 
-    words = words_for(scene.receiver)
     parts = account_rows(found.account, scene, light_unit(scene))
-    titles = [words[name] for name in found.account.parts_in(scene)]
+    titles = [words_of(part, scene.receiver) for part in found.account.parts_in(scene)]
     rows = [
         *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference, remark)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),

@@ -10,14 +10,13 @@ from ui.views.choices import ImageChoice
 from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.words import later, tr
-from workbench.optics.account import LOSSES, losses_in, words_for
+from workbench.optics.account import keys_in, words_of
 from workbench.scene import Screen
 
 if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
 
-_AT_FIRST = words_for(Screen)
 _SUM = later(("All parts", "Sum of all parts; 100 % when the account is complete."))
 
 
@@ -29,49 +28,53 @@ class LightView(View):
         self._shared.changed.connect(self._ask)
         self._choice = ImageChoice(self._shared)
         self._box.addWidget(self._choice)
-        table = QWidget()
-        self._grid = QGridLayout(table)
-        self._grid.setContentsMargins(8, 6, 8, 6)
-        self._grid.setVerticalSpacing(2)
-        self._grid.setHorizontalSpacing(8)
-        self._grid.setColumnStretch(1, 1)
-        self._rows = {
-            name: _AccountLine(self._grid, *map(tr, text)) for name, text in _AT_FIRST.items()
-        }
-        rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
-        rule.setForegroundRole(QPalette.ColorRole.Mid)
-        self._grid.addWidget(rule, self._grid.rowCount(), 0, 1, 3)
-        self._sum = _AccountLine(self._grid, *map(tr, _SUM))
-        self._grid.setRowStretch(self._grid.rowCount(), 1)
-        self._box.addWidget(table)
+        self._table, self._words = QWidget(), dict[str, tuple[str, str]]()
+        self._box.addWidget(self._table)
+        self._list({"on_screen": words_of("on_screen", Screen)})
 
     def texts(self) -> dict[str, str]:
-        lines = (*self._rows.values(), self._sum)
-        return {line.name.text(): line.value.text() for line in lines if not line.value.isHidden()}
+        return {line.name.text(): line.value.text() for line in (*self._lines.values(), self._sum)}
+
+    def _list(self, words: dict[str, tuple[str, str]]) -> None:
+        """Show one line for each part of the account, by its title and tip."""
+        if words == self._words:
+            return
+        self._words, table = words, QWidget()
+        grid = QGridLayout(table)
+        grid.setContentsMargins(8, 6, 8, 6)
+        grid.setVerticalSpacing(2)
+        grid.setHorizontalSpacing(8)
+        grid.setColumnStretch(1, 1)
+        self._lines = {part: _AccountLine(grid, *map(tr, text)) for part, text in words.items()}
+        rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
+        rule.setForegroundRole(QPalette.ColorRole.Mid)
+        grid.addWidget(rule, grid.rowCount(), 0, 1, 3)
+        self._sum = _AccountLine(grid, *map(tr, _SUM))
+        grid.setRowStretch(grid.rowCount(), 1)
+        self._box.replaceWidget(self._table, table)
+        self._table.deleteLater()
+        self._table = table
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         self._choice.show_scene(session.scene)
         session, frame = self._of_image(session, frame)
-        there = losses_in(session.scene)
-        for name, text in words_for(session.scene.receiver).items():
-            self._rows[name].call(*map(tr, text))
-            self._rows[name].show(name not in LOSSES or name in there)
-        if frame is None:
-            for line in (*self._rows.values(), self._sum):
+        scene, account = session.scene, None if frame is None else frame.state.account
+        parts = account.parts_in(scene) if account else ("on_screen", *keys_in(scene))
+        self._list({part: words_of(part, scene.receiver) for part in parts})
+        if account is None:
+            for line in (*self._lines.values(), self._sum):
                 line.clear()
             return
-        account = frame.state.account
-        flux = account.to_data()
-        shares = {name: flux.get(name, 0.0) / account.emitted for name in self._rows}
-        for name, share in shares.items():
-            self._rows[name].show_share(share)
-        self._sum.show_share(sum(shares.values()))
+        _, *fluxes = account.to_data().values()
+        for part, flux in account.parts_in(scene).items():
+            self._lines[part].show_share(flux / account.emitted)
+        self._sum.show_share(sum(fluxes) / account.emitted)
         self.repaint()
 
 
 class _AccountLine:
     def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:
-        self.name = QLabel()
+        self.name = QLabel(name)
         self.value = QLabel()
         self._bar = _Bar()
         self.value.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -79,17 +82,9 @@ class _AccountLine:
         row = grid.rowCount()
         for column, widget in enumerate((self.name, self._bar, self.value)):
             grid.addWidget(widget, row, column)
-        self.call(name, tip)
-
-    def call(self, name: str, tip: str) -> None:
-        self.name.setText(name)
         self.value.setAccessibleName(name)
         for widget in (self.name, self._bar, self.value):
             widget.setToolTip(f"<p>{tip}</p>")
-
-    def show(self, shown: bool) -> None:
-        for widget in (self.name, self._bar, self.value):
-            widget.setVisible(shown)
 
     def clear(self) -> None:
         self.value.clear()

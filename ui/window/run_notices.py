@@ -15,7 +15,7 @@ from ui.words import later, tr
 from workbench.design.limits import Shortfall, wider_entrance
 from workbench.files.session import Session
 from workbench.messages import Message
-from workbench.optics.account import LOSSES
+from workbench.scene.losses import kind_and_element
 
 if TYPE_CHECKING:
     from ui.document.frame import Frame
@@ -200,7 +200,8 @@ class TotalReflectionNotice(QObject):
         session = self._document.session
         result = session.result
         lost = {} if result is None else result.state.account.lost
-        if lost.get("total_reflection", 0.0) > _LEAST:
+        total = (f for key, f in lost.items() if kind_and_element(key)[0] == "total_reflection")
+        if sum(total) > _LEAST:
             self._background.begin(partial(_find, session), session)
 
     def close(self) -> None:
@@ -214,7 +215,7 @@ class TotalReflectionNotice(QObject):
         message = Message(
             "{where}, as marked in the 3D scene: {cure}.",
             where=found.sentence(session.scene),
-            cure=LOSSES["total_reflection"].cure_in(session.scene),
+            cure=found.loss.cure_in(session.scene),
         )
         self.reported.emit(tr(message))
 

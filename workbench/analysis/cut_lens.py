@@ -68,7 +68,8 @@ def tracing_cut(
             )
             *before, (face, boundary) = train.faces
             surface = CutSurface(face, raster, optic.front_z)
-            cut = OpticalTrain(train.source, [*before, (surface, boundary)], train.detector)
+            faces = [*before, (surface, boundary)]
+            cut = OpticalTrain(train.source, faces, train.detector, train.names)
             for which, each in enumerate((designed, cut)):
                 done = 2 * (len(lines) * number + k) + which
                 part = partial(of_equal, 2 * len(lines) * BATCHES, done)

@@ -21,6 +21,7 @@ from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.session import read_session
 from workbench.scene import AnyReceiver, Scene
+from workbench.scene.losses import kind_and_element
 
 
 def validate(
@@ -150,12 +151,19 @@ def _print(found: Validation, difference: float | None) -> None:
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
         **(found.shading.figures if found.shading else {}),
         "rays": str(found.rays),
-        **{name.replace("_", " "): f"{flux:.5f}" for name, flux in found.account.to_data().items()},
+        **{_called(part): f"{flux:.5f}" for part, flux in found.account.to_data().items()},
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
     for light in found.regions:  # regions may share a name
         print(f"{light.name}: {light.words}")
+
+
+def _called(part: str) -> str:
+    """What a part of the account is called in the table."""
+    kind, element = kind_and_element(part)
+    words = kind.replace("_", " ")
+    return f"{words} ({element})" if element else words
 
 
 def _error(found: ByCells | Validation, of_what: str) -> str:

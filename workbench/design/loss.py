@@ -8,7 +8,7 @@ from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.messages import Message
-from workbench.optics.account import LOSSES, Account
+from workbench.optics.account import Account, loss_of
 from workbench.scene import AnyReceiver, Scene
 
 # Losses of a smaller part of the light are not named.
@@ -56,10 +56,10 @@ def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
     """
     if flux.sum() > 0:
         return
-    parts = {LOSSES[name]: flux / account.emitted for name, flux in account.lost.items()}
+    parts = {loss_of(key): flux / account.emitted for key, flux in account.lost.items()}
     most = max(parts, key=lambda loss: parts[loss])
     named = {
-        f"loss_{number}": Message("{part:.1%} {where}", part=part, where=Message(loss.where))
+        f"loss_{number}": Message("{part:.1%} {where}", part=part, where=loss.goes)
         for number, (loss, part) in enumerate(parts.items())
         if part > _NAMED
     }

@@ -13,10 +13,11 @@ from workbench.design.snapshot import Result
 from workbench.design.task import LARGEST_PICTURE
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
-from workbench.files.figures import AccountFigures, Figures
+from workbench.files.figures import Figures, Ledger
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
 from workbench.messages import Message
+from workbench.optics.account import Account
 from workbench.scene import DrawnTarget, PlacedFace, Scene
 
 _LOSS = "loss.npy"
@@ -235,10 +236,10 @@ def _read_face(
     return heights
 
 
-def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountFigures) -> Array:
+def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: Ledger) -> Array:
     n_x, n_y = scene.receiver.pixels
     irradiance = entries.array(name, (n_y, n_x))
-    most = ledger.emitted / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
+    most = ledger["emitted"] / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
     with np.errstate(over="ignore"):  # infinite is too much as well
         brightness = np.abs(irradiance) / most
     if brightness.max() > _BRIGHTEST:
@@ -272,7 +273,7 @@ def _read_further(
         FurtherLight(
             _read_irradiance(entries, folder + names.irradiance(number), alone, each.ledger),
             each.loss,
-            each.ledger.to_account(),
+            Account.from_data(each.ledger),
         )
         for number, (alone, each) in enumerate(zip(others, given, strict=True), start=1)
     )
@@ -297,7 +298,7 @@ def read_result(
         heights=read_heights(entries, names, scene, folder),
         irradiance=_read_irradiance(entries, folder + names.irradiance(0), scene, figures.ledger),
         loss=figures.loss,
-        account=figures.ledger.to_account(),
+        account=Account.from_data(figures.ledger),
         shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
         further=_read_further(entries, names, folder, scene, figures),
     )

@@ -1,19 +1,22 @@
 """Figures of a result in JSON."""
 
+import re
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import Annotated, Self
 
-from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
 from workbench.design.lens_state import FurtherLight
 from workbench.design.limits import Cause, Interval, Shortfall
 from workbench.design.session import VerifiedError
 from workbench.design.snapshot import ENDINGS, Result
 from workbench.messages import Message
-from workbench.optics.account import LOSSES, Account
-from workbench.scene import NonNegative, Part, Positive
+from workbench.optics.account import LOSSES
+from workbench.scene import NonNegative, Part
 
 _MOST_FLUX = 1e30  # in any unit; sums and ratios stay finite
+_PART = re.compile(rf"emitted|on_screen|({'|'.join(LOSSES)})(@[A-Za-z0-9_-]{{1,40}})?")
 
 Count = Annotated[int, Field(ge=0)]
 Flux = Annotated[float, Field(ge=-_MOST_FLUX, le=_MOST_FLUX)]
@@ -22,40 +25,20 @@ LONGEST_REASON = 1000
 """Most characters of the reason why a run ended."""
 
 
-class _AccountFigures(Part):
-    """`Account` as JSON; losses may be negative by a rounding error."""
-
-    emitted: Annotated[Positive, Field(le=_MOST_FLUX)]
-    on_screen: Flux
-
-    @classmethod
-    def of(cls, account: Account) -> Self:
-        """The figures of an account."""
-        return cls(**account.to_data())
-
-    def to_account(self) -> Account:
-        """The account of all light."""
-        lost = self.model_dump()
-        return Account(lost.pop("on_screen"), emitted=lost.pop("emitted"), lost=lost)
-
-    @model_serializer(mode="wrap")
-    def _present(self, fields: SerializerFunctionWrapHandler) -> dict[str, float]:
-        """Omit losses without a value."""
-        return {name: flux for name, flux in fields(self).items() if flux is not None}
+def _known(key: str) -> str:
+    if not _PART.fullmatch(key):
+        raise PydanticCustomError("part_of_account", "unknown")
+    return key
 
 
-def _loss_field(name: str) -> Any:
-    if name == "left_side":
-        return Flux, 0.0  # missing in old sessions of collimated light
-    return (Flux, ...) if LOSSES[name].always else (Flux | None, None)
+def _whole(ledger: dict[str, float]) -> dict[str, float]:
+    if not ledger.get("emitted", 0.0) > 0 or "on_screen" not in ledger:
+        raise PydanticCustomError("account", "incomplete")
+    return ledger
 
 
-if TYPE_CHECKING:
-    AccountFigures = _AccountFigures
-else:
-    AccountFigures = create_model(
-        "AccountFigures", __base__=_AccountFigures, **{name: _loss_field(name) for name in LOSSES}
-    )
+Ledger = Annotated[dict[Annotated[str, AfterValidator(_known)], Flux], AfterValidator(_whole)]
+"""`Account.to_data` as JSON; losses may be negative by a rounding error."""
 
 
 class VerifiedFigures(Part):
@@ -92,7 +75,7 @@ class FurtherFigures(Part):
 
     loss: NonNegative
     efficiency: float
-    ledger: AccountFigures
+    ledger: Ledger
 
     @classmethod
     def of(cls, light: FurtherLight) -> Self:
@@ -100,7 +83,7 @@ class FurtherFigures(Part):
         return cls(
             loss=light.loss,
             efficiency=light.account.efficiency,
-            ledger=AccountFigures.of(light.account),
+            ledger=light.account.to_data(),
         )
 
 
@@ -137,7 +120,7 @@ class Figures(Part):
     iterations: Count
     seconds: NonNegative
     efficiency: float
-    ledger: AccountFigures
+    ledger: Ledger
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # reason
@@ -155,7 +138,7 @@ class Figures(Part):
             iterations=result.iterations,
             seconds=result.seconds,
             efficiency=state.account.efficiency,
-            ledger=AccountFigures.of(state.account),
+            ledger=state.account.to_data(),
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,

@@ -10,7 +10,7 @@ from typing import Self
 
 from workbench.messages import Message
 from workbench.scene import AnyReceiver, Diffuser, Lens, Mirror, Scene
-from workbench.scene.losses import Loss
+from workbench.scene.losses import Loss, key_of, kind_and_element
 
 _AT_RECEIVERS: Mapping[str, Loss] = {
     "off_screen": Loss(
@@ -28,28 +28,34 @@ LOSSES: Mapping[str, Loss] = {
     **Mirror.all_losses(),
     **Diffuser.all_losses(),
 }
-"""All losses by name, in the order in which they are listed."""
+"""All kinds of losses by name, in the order in which they are listed."""
 
 
-def losses_in(scene: Scene) -> Mapping[str, Loss]:
-    """The losses that there can be in a scene, by name."""
-    there = {name for element in scene.elements for name in element.all_losses()}
-    return {name: loss for name, loss in LOSSES.items() if name in there or name in _AT_RECEIVERS}
+def keys_in(scene: Scene) -> tuple[str, ...]:
+    """Keys of the losses that there can be in a scene, in the order of the light."""
+    several = len(scene.elements) > 1
+    at_elements = (
+        key_of(kind, element.name if several else "")
+        for element in scene.elements
+        for kind in LOSSES
+        if kind in element.possible_losses
+    )
+    return (*_AT_RECEIVERS, *at_elements)
 
 
-def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str, str]]:
-    """Title and tip of each part of an account, by the names of `Account.to_data`."""
-    place, called = receiver.place, receiver.called
-    return {
-        "on_screen": (f"{place[0].upper()}{place[1:]}", "Light that makes the image."),
-        **{
-            name: (
-                loss.title.format(receiver=called),
-                loss.tip.format(receiver=called),
-            )
-            for name, loss in LOSSES.items()
-        },
-    }
+def loss_of(key: str) -> Loss:
+    """Return a loss by its key, with the element where light is lost."""
+    kind, element = kind_and_element(key)
+    return LOSSES[kind]._replace(element=element)
+
+
+def words_of(part: str, receiver: AnyReceiver | type[AnyReceiver]) -> tuple[str, str]:
+    """Return title and tip of a part of an account, by its name in `Account.to_data`."""
+    if part == "on_screen":
+        place = receiver.place
+        return f"{place[0].upper()}{place[1:]}", "Light that makes the image."
+    loss = loss_of(part)
+    return loss.title_for(receiver.called), loss.tip.format(receiver=receiver.called)
 
 
 # Sums over samples may have so much more light than the integral over the aperture. With 32 cells
@@ -78,20 +84,34 @@ class Account:
     # Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim; the
     # account is of rays.
     on_screen: float
-    # Flux that was lost, by names in `LOSSES` and in their order; 0 of those that every account has
-    # where nothing is given.
+    # Flux that was lost, by the keys of `keys_in`: at the receiver, then element by element, in the
+    # order of `LOSSES`. 0 of losses that every account has where nothing is given; in an account
+    # whose losses name elements, these are the losses at the receiver.
     lost: Mapping[str, float]
     emitted: float = 1.0  # flux of the source
 
     def __post_init__(self) -> None:
-        if unknown := self.lost.keys() - LOSSES.keys():
-            raise KeyError(f"nothing is said in LOSSES of {', '.join(sorted(unknown))}")
-        lost = {
-            name: self.lost.get(name, 0.0)
-            for name, loss in LOSSES.items()
-            if loss.always or name in self.lost
-        }
-        object.__setattr__(self, "lost", lost)
+        kinds, elements = list(LOSSES), [""]
+        for key in self.lost:
+            kind, element = kind_and_element(key)
+            if kind not in LOSSES:
+                raise KeyError(f"{kind} is not in LOSSES")
+            if element not in elements:
+                elements.append(element)
+        always = LOSSES if len(elements) == 1 else _AT_RECEIVERS
+        lost = {kind: 0.0 for kind, loss in always.items() if loss.always} | dict(self.lost)
+
+        def place(key: str) -> tuple[int, int]:
+            kind, element = kind_and_element(key)
+            return elements.index(element), kinds.index(kind)
+
+        object.__setattr__(self, "lost", {key: lost[key] for key in sorted(lost, key=place)})
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, float]) -> Self:
+        """Return the account that `to_data` gave."""
+        lost = dict(data)
+        return cls(lost.pop("on_screen"), emitted=lost.pop("emitted"), lost=lost)
 
     @property
     def efficiency(self) -> float:
@@ -126,7 +146,8 @@ class Account:
 
     def parts_in(self, scene: Scene) -> Mapping[str, float]:
         """Flux on the receiver, and of each loss that there can be in a scene, by name."""
-        lost = {name: self.lost[name] for name in losses_in(scene) if name in self.lost}
+        kinds = {kind for kind, _ in map(kind_and_element, keys_in(scene))}
+        lost = {key: flux for key, flux in self.lost.items() if kind_and_element(key)[0] in kinds}
         return {"on_screen": self.on_screen, **lost}
 
     def advice(self, scene: Scene) -> Message | None:
@@ -137,14 +158,15 @@ class Account:
         """
         if self.arrived >= 0.5 * self.emitted:
             return None
-        most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
+        most = max((key for key in self.lost if key != "off_screen"), key=self.lost.__getitem__)
+        loss = loss_of(most)
         return Message(
             "Only {part:.1f} % of the light lands {place}; {lost:.0f} % {where}: {cure}.",
             part=100 * self.efficiency,
             place=Message(scene.receiver.place),
             lost=100 * self.lost[most] / self.emitted,
-            where=Message(LOSSES[most].where),
-            cure=LOSSES[most].cure_in(scene),
+            where=loss.goes,
+            cure=loss.cure_in(scene),
         )
 
     def to_data(self) -> dict[str, float]:

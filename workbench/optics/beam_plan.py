@@ -13,6 +13,7 @@ from workbench.optics.account import Account
 from workbench.optics.images.beams import beam_image, box_image
 from workbench.optics.images.rim import rim_light, split_light
 from workbench.optics.images.source_beams import Spots, between_origins, light_apart, spots_of
+from workbench.optics.interfaces import Refraction
 from workbench.optics.light import BeamTracer, Light, sum_of_lines
 from workbench.optics.plan import TracedLine, notes_of_lines, traced_lines
 from workbench.optics.samples import Corners
@@ -60,6 +61,9 @@ class BeamPlan:
         path = self._strongest.tracers.path
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
+        turns = (step.interface for step in reversed(path.steps))
+        totals = (turn.total for turn in turns if isinstance(turn, Refraction))
+        self._totals = list(filter(None, totals))
         self._fused = fused
 
     @property
@@ -160,7 +164,9 @@ class BeamPlan:
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
         lost["off_screen"] += landed - on_screen
         lost[self._beside] += cut
-        lost["total_reflection"] += account.on_screen - landed - cut
+        # The rest is in split cells: some corners are lost on the way, most by total reflection.
+        split = max(self._totals, key=account.lost.__getitem__, default=self._beside)
+        lost[split] += account.on_screen - landed - cut
         # Light that no ray stands for passes the lens by.
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
         return Light(image, Account(on_screen, lost))

@@ -137,7 +137,7 @@ class Passed(NamedTuple):
     rays : RayBundle
         It starts where the light met the face.
     lost : mapping of str to Tensor
-        Flux that each ray lost, by its name in the light account.
+        Flux that each ray lost, by its key in the light account.
     """
 
     rays: RayBundle
@@ -168,7 +168,7 @@ class Reflection:
     reflectance : float
         Part of the light that is reflected, at all angles.
     absorbed : str
-        Name of the rest in the light account.
+        Key of the rest in the light account.
     """
 
     def __init__(self, reflectance: float, absorbed: str) -> None:
@@ -193,18 +193,25 @@ class Refraction:
     law : TransmittanceLaw
         The refractive indices, and how much of the light is refracted.
     reflected : str
-        Name in the light account of what is reflected where the rest is refracted.
+        Key in the light account of what is reflected where the rest is refracted.
     absorption : float
         Of the medium before the face, per length: flux falls as exp(−absorption · path).
-
-    Notes
-    -----
-    Total reflection takes all of the flux and is called ``total_reflection`` in the account of any
-    face.
+    total, absorbed : str
+        Keys in the light account of what is totally reflected, and of what the medium absorbs.
+        Without ``total``, for a face without total reflection, all that the face takes is
+        ``reflected``.
     """
 
-    def __init__(self, law: TransmittanceLaw, reflected: str, absorption: float = 0.0) -> None:
+    def __init__(
+        self,
+        law: TransmittanceLaw,
+        reflected: str,
+        absorption: float = 0.0,
+        total: str | None = "total_reflection",
+        absorbed: str = "absorbed",
+    ) -> None:
         self.law, self.reflected, self.absorption = law, reflected, absorption
+        self.total, self.absorbed = total, absorbed
 
     def turn(self, rays: RayBundle, meeting: Meeting) -> Passed:
         """The refracted light; see `Interface.turn`."""
@@ -213,13 +220,16 @@ class Refraction:
         flux = torch.where(meeting.met, rays.flux, 0.0)
         if self.absorption > 0:
             arriving = flux * (-self.absorption * _way(rays.position, meeting.position)).exp()
-            lost["absorbed"] = flux - arriving
+            lost[self.absorbed] = flux - arriving
             flux = arriving
         passes = meeting.met & out.passes
         part = self.law.at(out.cos_in, out.cos_out)
         transmitted = torch.where(passes, flux * part, 0.0)
-        lost["total_reflection"] = flux * ~out.passes
-        lost[self.reflected] = (flux - transmitted) * out.passes
+        if self.total is None:
+            lost[self.reflected] = flux - transmitted
+        else:
+            lost[self.total] = flux * ~out.passes
+            lost[self.reflected] = (flux - transmitted) * out.passes
         return Passed(RayBundle(meeting.position, out.direction, transmitted, passes), lost)
 
 

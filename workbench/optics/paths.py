@@ -11,10 +11,12 @@ from workbench.arrays import Array, Mask
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.messages import Message
+from workbench.optics.account import loss_of
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
 from workbench.powers import written
 from workbench.scene import Element, Scene
+from workbench.scene.losses import Loss, kind_and_element
 
 
 class RayPaths(NamedTuple):
@@ -59,7 +61,6 @@ def _grid(optic: Element, count: tuple[int, int]) -> tuple[Array, Array]:
     return x.ravel(), y.ravel()
 
 
-_NAME = "total_reflection"  # in the light account
 _CELLS = 16  # along each axis, of which the brightest is named
 
 
@@ -69,6 +70,7 @@ class TotalReflection:
 
     places: Array  # (n, 3), where each of its rays meets the face, scene units
     flux: Array  # (n,), what each of them carries, as a part of the light of the source
+    loss: Loss  # what the light account calls it
 
     @property
     def share(self) -> float:
@@ -94,31 +96,34 @@ class TotalReflection:
     def sentence(self, scene: Scene) -> Message:
         """How much it is, and where there is most of it."""
         x, y = self.middle
+        face, name = Message(scene.optic.face_called), self.loss.element
+        if name:
+            element = next(each for each in scene.elements if each.name == name)
+            face = Message("{face} of {element}", face=Message(element.face_called), element=name)
         return Message(
             "{part} % of the light is totally reflected at the {face}, most of it around "
             "x = {x}, y = {y}",
             part=written(100 * self.share, digits=2),
-            face=Message(scene.optic.face_called),
+            face=face,
             x=written(x, scene.unit, 3),
             y=written(y, scene.unit, 3),
         )
 
 
 def total_reflection(scene: Scene, heights: Mapping[str, Array]) -> TotalReflection | None:
-    """Where light of an optic is totally reflected; None if none is.
+    """Where most light is totally reflected, of all faces; None if none is.
 
     `scene`: the scene, whose source gives the rays; `heights` (n_u, n_v).
     """
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     tensors = {face: torch.tensor(each) for face, each in heights.items()}
-    places, flux = [np.zeros((0, 3))], [np.zeros(0)]
+    found = []
     with torch.no_grad():
         for passage in path.passages(tensors):
-            lost = passage.passed.lost.get(_NAME)
-            if lost is not None:
-                here = lost > 0
-                place = path.places_at(passage)
-                places.append(torch.stack([c.expand(here.shape)[here] for c in place], -1).numpy())
-                flux.append(lost[here].numpy())
-    found = TotalReflection(np.concatenate(places), np.concatenate(flux))
-    return found if len(found.flux) else None
+            for key, flux in passage.passed.lost.items():
+                here = flux > 0
+                if kind_and_element(key)[0] == "total_reflection" and here.any():
+                    place = (c.expand(here.shape)[here] for c in path.places_at(passage))
+                    places = torch.stack([*place], -1).numpy()
+                    found.append(TotalReflection(places, flux[here].numpy(), loss_of(key)))
+    return max(found, key=lambda each: each.share, default=None)

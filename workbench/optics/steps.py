@@ -23,6 +23,7 @@ from workbench.scene import (
     PlacedFace,
     Scene,
 )
+from workbench.scene.losses import key_of
 
 
 class FaceStep(NamedTuple):
@@ -30,7 +31,7 @@ class FaceStep(NamedTuple):
 
     surface: Surface  # where rays meet it
     interface: Interface  # what it does to them
-    missed: str  # name in the light account of light that does not meet it
+    missed: str  # key in the light account of light that does not meet it
     # Where the coordinates of the surface stand in the scene: light comes to the face along +z of
     # them. None for those of the source with z counted from the datum of the path.
     frame: Frame | None = None
@@ -72,6 +73,11 @@ class PathContext(NamedTuple):
     # Float type and device of the walk.
     dtype: torch.dtype
     device: torch.device | str
+    element: str = ""  # name of the element of the faces, in a train of several elements
+
+    def key(self, kind: str) -> str:
+        """Key of a loss at the faces in the light account."""
+        return key_of(kind, self.element)
 
     def spline(self, name: str, net: ControlNet, outline: Outline, level: float) -> BSplineSurface:
         """A B-spline on a net, about a level."""
@@ -88,7 +94,8 @@ def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
             along = along._replace(by_area=False, along_axis=False)
         lit = element.lit(scene.source.wavelength)
         nets = {face: along.nets.get(face, net) for face, net in freeform_nets(lit).items()}
-        own, frame = along._replace(nets=nets), None
+        name = element.name if len(scene.elements) > 1 else ""
+        own, frame = along._replace(nets=nets, element=name), None
         if not frame_of(lit, 0.0).seen_from(source).is_identity:
             # Fixed faces count z from their own element: where the source does is far from them.
             own = own if element.designed else own._replace(datum=lit.position[2])
@@ -101,8 +108,9 @@ def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
 def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
     outline, straight = outline_of(lens), along.along_axis
     before = Rectangle(lens.half_width) if along.by_area else outline
-    names = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
-    media = zip(TransmittanceLaw.of(lens), (0.0, lens.absorption), names, strict=True)
+    kinds = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
+    inside = along.key("total_reflection"), along.key("absorbed")
+    media = zip(TransmittanceLaw.of(lens), (0.0, lens.absorption), kinds, strict=True)
     for placed, (law, absorption, (reflected, missed)) in zip(
         lens.placed_faces, media, strict=True
     ):
@@ -112,7 +120,8 @@ def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
         else:
             surface = along.spline(placed.name, net, before if straight else outline, placed.z)
             straight = False
-        yield FaceStep(surface, Refraction(law, reflected, absorption), missed)
+        refraction = Refraction(law, along.key(reflected), absorption, *inside)
+        yield FaceStep(surface, refraction, along.key(missed))
 
 
 def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
@@ -127,7 +136,8 @@ def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
         face: Surface = along.spline(placed.name, net, lit, placed.z)
     else:
         face = _fixed(placed, placed.z - along.datum, whole if along.by_area else outline)
-    return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
+    reflection = Reflection(mirror.reflectance, along.key("absorbed_mirror"))
+    return (FaceStep(face, reflection, along.key("missed_mirror")),)
 
 
 def _of_diffuser(diffuser: Diffuser, along: PathContext) -> tuple[FaceStep, ...]:
@@ -135,7 +145,8 @@ def _of_diffuser(diffuser: Diffuser, along: PathContext) -> tuple[FaceStep, ...]
     (placed,), outline = diffuser.placed_faces, outline_of(diffuser)
     law = TransmittanceLaw.constant(1.0, 1 - diffuser.transmittance)
     plane = _fixed(placed, placed.z - along.datum, outline)
-    return (FaceStep(plane, Refraction(law, "absorbed_diffuser"), "missed_diffuser"),)
+    interface = Refraction(law, along.key("absorbed_diffuser"), total=None)
+    return (FaceStep(plane, interface, along.key("missed_diffuser")),)
 
 
 _FACES: Mapping[type, Callable[[Any, PathContext], Iterable[FaceStep]]] = {

@@ -15,7 +15,7 @@ from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
 from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.messages import Message
-from workbench.optics.account import Account, words_for
+from workbench.optics.account import Account, words_of
 from workbench.powers import written
 from workbench.report.content import Fact
 from workbench.scene import Scene
@@ -129,10 +129,11 @@ def bound_rows(found: Bound) -> tuple[Fact, ...]:
 
 def account_rows(account: Account, scene: Scene, unit: LightUnit = IN_PARTS) -> tuple[Fact, ...]:
     """Rows of the light account, as parts of the emitted flux, and in lumen if known."""
-    titles = {name: title for name, (title, _) in words_for(scene.receiver).items()}
+    parts = account.parts_in(scene)
+    titles = {part: words_of(part, scene.receiver)[0] for part in parts}
     return tuple(
-        Fact(titles[name][:1].lower() + titles[name][1:], _part(flux / account.emitted, unit))
-        for name, flux in account.parts_in(scene).items()
+        Fact(titles[part][:1].lower() + titles[part][1:], _part(flux / account.emitted, unit))
+        for part, flux in parts.items()
     )
 
 

@@ -380,6 +380,16 @@ class Element(Standing, Part):
                 losses[mark.name] = mark.loss
         return losses
 
+    @property
+    def possible_losses(self) -> dict[str, Loss]:
+        """Its losses, and those of its fields that take light, by name."""
+        losses = self.all_losses()
+        for field in self.fields():
+            mark = field.mark(TakesLight)
+            if mark and getattr(self, field.name) == type(self).model_fields[field.name].default:
+                del losses[mark.name]
+        return losses
+
     def check_element(self) -> None:
         """Refuse an element that cannot be computed with or made; paths are from the element."""
         limits.check_width(self.half_width)

@@ -1,4 +1,4 @@
-"""What is said of a way to lose light."""
+"""Ways to lose light, and their keys in the light account."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Loss(NamedTuple):
-    """What is said of a way to lose light."""
+    """A way to lose light: at any element of a kind, or at one element of a train."""
 
     # Its name for people, and what it is; "{receiver}" stands for what the receiver is called.
     title: str
@@ -20,11 +20,29 @@ class Loss(NamedTuple):
     # flatter base, where there is one.
     cure: str
     always: bool = False  # whether every account has it, and with that every file of version 1
+    element: str = ""  # name of the element where light is lost, in a train of several elements
+
+    def title_for(self, receiver: str) -> Message:
+        """Return the title, with what the receiver is called and the name of the element."""
+        return self._named(self.title.format(receiver=receiver))
+
+    @property
+    def goes(self) -> Message:
+        """Where such light goes, with the name of the element."""
+        return self._named(self.where)
 
     def cure_in(self, scene: "Scene") -> Message:
-        """The cure for a scene."""
-        flatter = Message("") if scene.optic.base.shape == "flat" else Message("a flatter base, ")
+        """Return the cure for a scene."""
+        optic = next((each for each in scene.elements if each.name == self.element), scene.optic)
+        flat = not optic.designed or optic.base.shape == "flat"
+        flatter = Message("") if flat else Message("a flatter base, ")
         return Message(self.cure, receiver=scene.receiver.called, flatter=flatter)
+
+    def _named(self, text: str) -> Message:
+        words = Message(text)
+        if not self.element:
+            return words
+        return Message("{loss} ({element})", loss=words, element=self.element)
 
 
 @dataclass(frozen=True)
@@ -33,3 +51,17 @@ class TakesLight:
 
     name: str  # of what it takes, in the light account
     loss: Loss  # what is said of it
+
+
+def key_of(kind: str, element: str = "") -> str:
+    """Return the key of a loss in the light account.
+
+    `kind`: the loss; `element`: name of the element where light is lost, in a train of several.
+    """
+    return f"{kind}@{element}" if element else kind
+
+
+def kind_and_element(key: str) -> tuple[str, str]:
+    """Return what `key_of` made a key of."""
+    kind, _, element = key.partition("@")
+    return kind, element

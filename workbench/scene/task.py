@@ -136,6 +136,7 @@ class Scene(Part):
         check_spectrum(self)
         check_elements(self)
         self.source.measured_in(self.unit)
+        self._check_bends()
         if self.is_train:
             source, first = self.entrance
             source.check_before(first)
@@ -155,19 +156,24 @@ class Scene(Part):
             with refused_within(f"images[{number}]"):
                 image.check_lit_by(optic)
         check_regions(self.regions)
-        for field in ("smoothness", *radii):
-            value = getattr(self.run, field)
-            if value is not None and min(optic.degree) < 2:
-                raise Refused(
-                    f"run.{field}",
-                    Message(
-                        "{value:g} is about curvature, and faces of degree 1 are flat between "
-                        "edges; {field} of at least 2",
-                        value=value,
-                        field=f"{self.face_path()}.degree",
-                    ),
-                )
         stage_scenes(self)
+
+    def _check_bends(self) -> None:
+        """Refuse a run that asks for bends of faces that have none between their edges."""
+        for name in ("smoothness", "min_radius", "min_tool_radius"):
+            value = getattr(self.run, name)
+            for focused in self.focused:
+                optic = focused.optic
+                if value is not None and optic.free and min(optic.degree) < 2:
+                    raise Refused(
+                        f"run.{name}",
+                        Message(
+                            "{value:g} is about curvature, and faces of degree 1 are flat between "
+                            "edges; {field} of at least 2",
+                            value=value,
+                            field=f"{focused.face_path()}.degree",
+                        ),
+                    )
 
     @property
     def designed_numbers(self) -> tuple[int, ...]:

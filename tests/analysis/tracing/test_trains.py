@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -116,11 +117,13 @@ class TestPlates:
         passed = [(1 - R_0) ** k for k in range(6)]
         clear = [1, 1, 1, math.exp(-0.05), math.exp(-0.05), math.exp(-0.25)]
         reflected = [R_0 * p * c for p, c in zip(passed, clear, strict=True)]
-        assert parts["fresnel_entrance"] == pytest.approx(sum(reflected[::2]), rel=1e-12)
-        assert parts["fresnel_exit"] == pytest.approx(sum(reflected[1::2]), rel=1e-12)
+        for number, name in enumerate(("window", "designed", "cover")):
+            for face, part in zip(("entrance", "exit"), reflected[2 * number :], strict=False):
+                assert parts[f"fresnel_{face}@{name}"] == pytest.approx(part, rel=1e-12)
         absorbed = (1 - R_0) ** 3 * (1 - math.exp(-0.05))
-        absorbed += (1 - R_0) ** 5 * math.exp(-0.05) * (1 - math.exp(-0.2))
-        assert parts["absorbed"] == pytest.approx(absorbed, rel=1e-12)
+        assert parts["absorbed@designed"] == pytest.approx(absorbed, rel=1e-12)
+        absorbed = (1 - R_0) ** 5 * math.exp(-0.05) * (1 - math.exp(-0.2))
+        assert parts["absorbed@cover"] == pytest.approx(absorbed, rel=1e-12)
         assert parts["on_screen"] == pytest.approx((1 - R_0) ** 6 * math.exp(-0.25), rel=1e-12)
 
     def test_a_cover_shifts_the_image_plane(self):
@@ -154,13 +157,13 @@ class TestPlates:
         cover = plate("cover", 3.0, half_width=0.5, aside=(0.5, 0.0))
         parts = account_of(scene_of(COLLIMATED, [designed(), cover]), rays=64_000)
         # It is 1 × 1 of the 2 × 2 that is lit.
-        assert parts["missed_lens"] == pytest.approx(0.75 * (1 - R_0) ** 2, rel=1e-2)
+        assert parts["missed_lens@cover"] == pytest.approx(0.75 * (1 - R_0) ** 2, rel=1e-2)
         assert parts["on_screen"] == pytest.approx(0.25 * (1 - R_0) ** 4, rel=1e-2)
 
     def test_the_first_outline_is_the_aperture_of_all_light(self):
         window = plate("window", -1.0, half_width=0.5, outline="ellipse")
         parts = account_of(scene_of(COLLIMATED, [window, designed()]))
-        assert parts["missed_lens"] == pytest.approx(1 - math.pi / 4, rel=1e-12)
+        assert parts["missed_lens@window"] == pytest.approx(1 - math.pi / 4, rel=1e-12)
 
 
 def concentric_dome():
@@ -191,7 +194,8 @@ class TestCurvedFaces:
         elements = [concentric_dome(), designed(z=4.0, half_width=3.0), tilted]
         scene = scene_of(source, elements, half_width=1.0)
         parts = account_of(scene)
-        assert min(parts["missed_lens"], parts["off_screen"], parts["on_screen"]) > 0.01
+        assert min(parts["missed_lens@dome"], parts["off_screen"], parts["on_screen"]) > 0.01
+        assert parts["missed_lens@cover"] > 0.005
 
     def test_a_hyperbola_makes_light_of_its_focus_parallel(self):
         focal = 4.0
@@ -204,7 +208,9 @@ class TestCurvedFaces:
         assert left.direction == pytest.approx(np.array([[0.0, 0.0, 1.0]] * 4), abs=1e-12)
         assert (left.flux > 0.8).all()
         parts = account_of(scene)
-        assert parts["off_screen"] == parts["total_reflection"] == parts["left_side"] == 0
+        for name in ("collimator", "designed"):
+            assert parts[f"total_reflection@{name}"] == parts[f"left_side@{name}"] == 0
+        assert parts["off_screen"] == 0
         assert parts["on_screen"] > 0.4  # the cone of light is wider than the outline
 
     def test_a_hyperbola_brings_parallel_light_to_its_focus(self):
@@ -310,4 +316,7 @@ class TestChecksOfTrains:
         figures = json.loads(capsys.readouterr().out)
         assert figures["efficiency"] == pytest.approx((1 - R_0) ** 6, rel=1e-12)
         assert "relative_l2_bound" not in figures
+        assert figures["ledger"]["fresnel_exit@window"] == pytest.approx((1 - R_0) * R_0)
+        run_validate(file, 4000, None, False, [], None, as_json=False)
+        assert re.search(r"fresnel exit \(window\): 0\.0384\d", capsys.readouterr().out)
         assert figures["through_focus"][0]["efficiency"] == pytest.approx((1 - R_0) ** 6)

@@ -12,6 +12,7 @@ from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView
 from workbench.geometry.faces import FaceArrays
+from workbench.optics.account import Account
 
 PLOTS = [IrradianceView, ErrorView, LossView]
 
@@ -83,16 +84,14 @@ def scene_view(display, qtbot):
 
 def test_the_light_account_adds_up(frame, show, qtbot):
     view = show(LightView(), 380, 260)
-    account = account_of(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
     one = frame(1)
-    view.show_frame(
-        dataclasses.replace(
-            one,
-            snapshot=dataclasses.replace(
-                one.snapshot, state=dataclasses.replace(one.snapshot.state, account=account)
-            ),
-        )
-    )
+
+    def show_account(account):
+        state = dataclasses.replace(one.snapshot.state, account=account)
+        snapshot = dataclasses.replace(one.snapshot, state=state)
+        view.show_frame(dataclasses.replace(one, snapshot=snapshot))
+
+    show_account(account_of(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04))
     qtbot.waitUntil(lambda: view.texts()["All parts"] == "100.00 %")
     assert view.texts() == {
         "On the screen": "50.00 %",
@@ -101,8 +100,18 @@ def test_the_light_account_adds_up(frame, show, qtbot):
         "Out of the side": "3.00 %",
         "Totally reflected": "0.00 %",
         "Reflected on entry": "15.00 %",
-        "Absorbed": "0.00 %",
         "Reflected on exit": "2.00 %",
+        "All parts": "100.00 %",
+    }
+    show_account(
+        Account(0.5, {"off_screen": 0.2, "missed_lens@dome": 0.2, "fresnel_exit@cover": 0.1})
+    )
+    qtbot.waitUntil(lambda: len(view.texts()) == 5)
+    assert view.texts() == {
+        "On the screen": "50.00 %",
+        "Missed the screen": "20.00 %",
+        "Missed the lens (dome)": "20.00 %",
+        "Reflected on exit (cover)": "10.00 %",
         "All parts": "100.00 %",
     }
 

@@ -149,7 +149,7 @@ class TracedFace(Protocol):
     Attributes
     ----------
     missed : str
-        Name in the light account of light that does not meet it.
+        Kind in the light account of light that does not meet it.
     """
 
     missed: str
@@ -189,7 +189,7 @@ class Boundary(Protocol):
     def turn(
         self, rays: TracedRays, crossings: Crossings
     ) -> tuple[TracedRays, Mapping[str, float]]:
-        """The light that goes on, and the flux that is lost, by its names in the light account."""
+        """The light that goes on, and the flux that is lost, by kinds of the light account."""
         ...
 
 

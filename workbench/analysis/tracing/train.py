@@ -35,6 +35,7 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Diffuser, Element, Lens, Mirror, Scene
+from workbench.scene.losses import key_of
 from workbench.scene.train import check_receivers
 
 # Rays followed together: what is made of them on the way stays within the cache.
@@ -46,7 +47,7 @@ class Tally:
 
     `images`, `pixels`: how many images there are, and the pixels of each. `flux` (images, pixels):
     flux in the pixels, along the rows; `beside` (images,): flux that went beside each image;
-    `emitted`: flux of the source; `lost`: flux that was lost on the way, by its names in the light
+    `emitted`: flux of the source; `lost`: flux that was lost on the way, by its keys in the light
     account.
     """
 
@@ -71,7 +72,8 @@ class Tally:
 class OpticalTrain:
     """Source, faces and receiver in the order in which light meets them.
 
-    `faces`: faces, and what each does to light; `detector`: where light is counted.
+    `faces`: faces, and what each does to light; `detector`: where light is counted; `names`: of the
+    element of each face, empty if there is only one element.
     """
 
     def __init__(
@@ -79,8 +81,9 @@ class OpticalTrain:
         source: LightSource,
         faces: Sequence[tuple[TracedFace, Boundary]],
         detector: Detector,
+        names: Sequence[str],
     ) -> None:
-        self.source, self.faces, self.detector = source, faces, detector
+        self.source, self.faces, self.detector, self.names = source, faces, detector, names
 
     @classmethod
     def of(
@@ -104,6 +107,7 @@ class OpticalTrain:
         first = elements[0]  # all light passes its aperture, in whose coordinates it is followed
         turn, aperture = _turn(first), _place(first, first.front_z)
         faces: list[tuple[TracedFace, Boundary]] = []
+        names: list[str] = []
         for number, (element, way) in enumerate(zip(elements, scene.ways, strict=True)):
             designed = element.designed
             stands, own_turn = _Stands(number == 0, False), _turn(element)
@@ -116,6 +120,7 @@ class OpticalTrain:
             place = _place(element, element.front_z if designed else element.position[2])
             relative = np.eye(3) if number == 0 else turn.T @ own_turn
             faces += _placed(own, relative, (place - aperture) @ turn, max(element.half_width))
+            names += [element.name if len(elements) > 1 else ""] * len(own)
         if not first.upright:
             pose = ElementPose(decentre=tuple(aperture[:2]), turn=turn)
             lift = aperture[2] - first.front_z
@@ -126,11 +131,12 @@ class OpticalTrain:
             light_source(scene.source, first, pose.of_source(middle), rays, seed),
             faces,
             detector_of(receivers, first.front_z, scene.onwards(receivers[0]), pose),
+            names,
         )
 
     def lit_by(self, source: LightSource) -> "OpticalTrain":
         """The same elements with another source."""
-        return OpticalTrain(source, self.faces, self.detector)
+        return OpticalTrain(source, self.faces, self.detector, self.names)
 
     def lit(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays of one origin to places of the first face; see `TracedFace.lit`."""
@@ -141,7 +147,8 @@ class OpticalTrain:
         flux = float(rays.flux.sum())
         tally.emitted += flux * (1 + self.source.beside)
         if self.source.beside:
-            tally.lose(self.faces[0][0].missed, flux * self.source.beside)
+            missed = key_of(self.faces[0][0].missed, self.names[0])
+            tally.lose(missed, flux * self.source.beside)
         for some in rays.split(_AT_ONCE):
             self._follow(some, tally)
 
@@ -165,13 +172,13 @@ class OpticalTrain:
 
     def leaving(self, rays: TracedRays, tally: Tally | None = None) -> TracedRays:
         """The rays behind all faces; a tally gets what is lost."""
-        for face, boundary in self.faces:
+        for (face, boundary), name in zip(self.faces, self.names, strict=True):
             crossings = face.meet(rays)
             rays, lost = boundary.turn(rays, crossings)
             if tally is not None:
-                tally.lose(face.missed, crossings.missed)
-                for name, flux in lost.items():
-                    tally.lose(name, flux)
+                tally.lose(key_of(face.missed, name), crossings.missed)
+                for kind, flux in lost.items():
+                    tally.lose(key_of(kind, name), flux)
         return rays
 
 

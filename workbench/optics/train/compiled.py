@@ -197,9 +197,11 @@ class CompiledTrain:
             match step.interface:
                 case Reflection(absorbed=name, reflectance=reflectance):
                     parts |= {name: met - left} if reflectance < 1 else {}
-                case Refraction(reflected=name, absorption=absorption):
-                    parts |= {"total_reflection": met - passed, name: passed - left}
-                    parts |= {"absorbed": absorbed} if absorption > 0 else {}
+                case Refraction(reflected=name, total=None):
+                    parts |= {name: met - left}
+                case Refraction(reflected=name, total=str(total)) as medium:
+                    parts |= {total: met - passed, name: passed - left}
+                    parts |= {medium.absorbed: absorbed} if medium.absorption > 0 else {}
             for name, part in parts.items():
                 lost[name] = lost.get(name, 0.0) + part
             arriving = left

@@ -28,9 +28,7 @@ class ScatterBoundary:
     ) -> tuple[TracedRays, Mapping[str, float]]:
         """The scattered light, and what is absorbed; see `Boundary.turn`."""
         flux = self._transmittance * crossings.flux
-        lost = {}
-        if self._transmittance < 1:
-            lost = {"absorbed_diffuser": float(crossings.flux.sum() - flux.sum())}
+        lost = {"absorbed_diffuser": float(crossings.flux.sum() - flux.sum())}
         if not len(flux):
             return TracedRays(crossings.position, rays.direction, flux), lost
         first = np.concatenate([rays.position[0], rays.direction[0]])
