@@ -11,30 +11,28 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples, cells, counts, parts_inside, places, shares
+from workbench.optics.sources.emitter import Emitter
 from workbench.optics.sources.origins import Origins
 from workbench.scene import CollimatedSource, Element
 
 
-class CollimatedEmitter:
-    """A tensor grid of rays that fills the entrance face; an `Emitter`.
-
-    `source`: how many rays; `optic`: gives the entrance face; `samples`: rays along x and y; those
-    of the source by default. `samples`: rays along x and y.
-    """
+class CollimatedEmitter(Emitter):
+    """A tensor grid of rays that fills the entrance face."""
 
     by_area = True
+    samples: Samples
 
     def __init__(
         self, source: CollimatedSource, optic: Element, samples: Samples | None = None
     ) -> None:
-        self.samples, self._lens = samples or source.rays, optic
+        super().__init__(optic, samples or source.rays)
         self._outline = outline_of(optic)
         self._waist = source.profile.radius
 
     @property
     def origins(self) -> Origins:
         """One direction; see `Emitter`."""
-        area = 4 * math.prod(self._lens.half_width)
+        area = 4 * math.prod(self.optic.half_width)
         even = math.isinf(self._waist)
         flux = 1 / area if even else 2 / (math.pi * self._waist**2)
         return Origins(np.array([[0.0, 0.0, 1.0]]), True, np.array([flux]), waist=self._waist)
@@ -46,7 +44,7 @@ class CollimatedEmitter:
             return 1 - float(self.rays(0).flux.sum())
         if self._outline.whole:
             return 0.0
-        return 1 - self._outline.area / (4 * math.prod(self._lens.half_width))
+        return 1 - self._outline.area / (4 * math.prod(self.optic.half_width))
 
     @property
     def inside(self) -> Array | None:
@@ -67,7 +65,7 @@ class CollimatedEmitter:
         """
         if math.isinf(self._waist):
             return shares(self.samples, axis)
-        sampled, r = places(self.samples, axis), self._lens.half_width[axis]
+        sampled, r = places(self.samples, axis), self.optic.half_width[axis]
         high, low = (
             erf(math.sqrt(2) * (2 * part - 1) * r / self._waist)
             for part in (sampled.high, sampled.low)
@@ -76,11 +74,14 @@ class CollimatedEmitter:
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """The same rays for every seed and draw; see `Emitter.rays`."""
+        return self._drawn(seed, draw)
+
+    def _drawn(self, seed: int, draw: int) -> RayBundle:
         x, y = (
             torch.as_tensor((2 * places(self.samples, axis).part - 1) * r)
-            for axis, r in enumerate(self._lens.half_width)
+            for axis, r in enumerate(self.optic.half_width)
         )
-        rays = _along_axis(x[:, None], y[None, :], self._lens.front_z)
+        rays = _along_axis(x[:, None], y[None, :], self.optic.front_z)
         flux = x.new_ones(()) / cells(self.samples)
         if isinstance(self.samples, Corners) or math.isfinite(self._waist):
             across, up = (torch.as_tensor(self.shares(axis)) for axis in (0, 1))
@@ -91,7 +92,7 @@ class CollimatedEmitter:
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Parallel rays that start half a lens before it; see `Emitter.towards`."""
-        return _along_axis(x, y, self._lens.front_z - 0.5 * max(self._lens.half_width))
+        return _along_axis(x, y, self.optic.front_z - 0.5 * max(self.optic.half_width))
 
 
 def _along_axis(x: Tensor, y: Tensor, z: float) -> RayBundle:

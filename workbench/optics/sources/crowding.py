@@ -15,7 +15,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.samples import EVERYWHERE, Corners, Crowd
 from workbench.optics.sources.origins import bulk_of
-from workbench.optics.sources.photometric import light_of_table
+from workbench.optics.sources.points import light_of_table
 from workbench.scene import (
     AreaSource,
     CollimatedSource,

@@ -1,7 +1,7 @@
 """Extended sources: flat emitters, and collimated light from a disc of directions."""
 
 import math
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from functools import cached_property
 
 import numpy as np
@@ -13,6 +13,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.crowding import where_lit
+from workbench.optics.sources.emitter import Emitter
 from workbench.optics.sources.origins import (
     Origins,
     Outline,
@@ -20,7 +21,6 @@ from workbench.optics.sources.origins import (
     TurnedPattern,
     at_corners,
     filling,
-    splits_of,
     spread,
     through_cells,
     vector,
@@ -28,20 +28,14 @@ from workbench.optics.sources.origins import (
 from workbench.scene import AreaSource, CollimatedSource, Element
 
 
-class ExtendedEmitter(ABC):
-    """Light of a source of some size, which stands as a set of origins; an `Emitter`.
+class ExtendedEmitter(Emitter):
+    """Light of a source of some size, which stands as a set of origins.
 
     Rays are drawn from anywhere on the source to anywhere on the entrance face; those at corners
     of cells come from as many origins as `Corners` says.
 
-    Parameters
-    ----------
-    optic : Element
-        Gives the entrance face.
-    rays : int
-        How many rays are drawn, where no corners are asked for.
-    samples : tuple[int, int] or Corners, optional
-        Corners of cells; or so many middles of cells, lit from the middle of the source alone.
+    `rays`: how many are drawn, where no corners are asked for; `samples`: corners of cells; or so
+    many middles of cells, lit from the middle of the source alone.
     """
 
     by_area = True
@@ -51,7 +45,7 @@ class ExtendedEmitter(ABC):
     """Cells and origins that tell how much light meets the lens, where rays are drawn at random."""
 
     def __init__(self, optic: Element, rays: int, samples: Samples | None) -> None:
-        self.optic, self.samples = optic, samples
+        super().__init__(optic, samples)
         self._rays = rays
 
     @abstractmethod
@@ -66,10 +60,6 @@ class ExtendedEmitter(ABC):
         r_x, r_y = self.optic.half_width
         return (2 * across - 1) * r_x, (2 * up - 1) * r_y, np.ones_like(across)
 
-    @abstractmethod
-    def towards(self, x: Tensor, y: Tensor) -> RayBundle:
-        """See `Emitter.towards`."""
-
     @cached_property
     def beside(self) -> float:
         """See `Emitter`; all of it that misses the lens."""
@@ -80,13 +70,6 @@ class ExtendedEmitter(ABC):
     def origins(self) -> Origins:
         """See `Emitter`; the middle alone where no corners are asked for."""
         return self._origins_of(self.samples)
-
-    @property
-    def splits(self) -> tuple[Array, Array]:
-        """See `Emitter`."""
-        if not isinstance(self.samples, Corners):
-            raise TypeError("these rays are no corners of cells")
-        return splits_of(self.samples, (1, len(self.origins.places)))
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""

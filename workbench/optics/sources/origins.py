@@ -11,7 +11,7 @@ import torch
 from workbench.arrays import Array, Index
 from workbench.geometry.outlines import outline_named, outline_of
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, Samples, parts_inside, places_of_points
+from workbench.optics.samples import Samples, parts_inside, places_of_points
 from workbench.scene import Element
 
 Outline = Literal["rectangle", "ellipse"]
@@ -264,12 +264,6 @@ def bulk_of(place: Array, flux: Array, beyond: float) -> tuple[float, float]:
     sums = np.cumsum(flux[order])
     low, high = np.searchsorted(sums, sums[-1] * np.array([beyond, 1 - beyond]))
     return float(place[order[low]]), float(place[order[min(high, len(place) - 1)]])
-
-
-def splits_of(corners: Corners, origins: tuple[int, int]) -> tuple[Array, Array]:
-    """Splits of the flux at corners (see `Emitter`) for so many origins along x and y."""
-    x, y = (places_of_points(corners, axis, count).split for axis, count in enumerate(origins))
-    return x, y
 
 
 def vector(parts: Sequence[Array]) -> Vector:

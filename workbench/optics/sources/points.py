@@ -1,46 +1,33 @@
-"""Point sources, grids of points that stand for extended sources, and ray files."""
+"""Sources of points: grids of them, ray files, and lamps with a measured intensity."""
+
+import math
+from functools import cached_property, lru_cache
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.arrays import Array, Index
+from workbench.measured.lamps import intensity_of as table_of
 from workbench.measured.lamps import placed_rays, ray_model
+from workbench.measured.photometry import IntensityTable
 from workbench.measured.rays.model import RayModel
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, Samples
+from workbench.optics.samples import Corners, Samples, counts
 from workbench.optics.sources.emission import emit, intensity_of
-from workbench.optics.sources.origins import (
-    Origins,
-    TurnedPattern,
-    splits_of,
-    through_cells,
-    vector,
-)
-from workbench.scene import Element, LightOfPoints, RayFileSource
+from workbench.optics.sources.emitter import Emitter
+from workbench.optics.sources.origins import EmittedLight, Origins, TurnedPattern, vector
+from workbench.scene import Element, LightOfPoints, PhotometricSource, RayFileSource
 
 
-class PointEmitter:
-    """Rays into the cones that just cover the entrance face; an `Emitter`.
-
-    `source`: where the points are, and how they emit; `optic`: gives the entrance face; `samples`:
-    corners of cells of the first freeform face; rays drawn at random by default.
-    """
-
-    beside = 0.0
+class PointEmitter(Emitter):
+    """Rays into the cones that just cover the entrance face."""
 
     def __init__(
-        self,
-        source: LightOfPoints,
-        optic: Element,
-        samples: Samples | None = None,
+        self, source: LightOfPoints, optic: Element, samples: Samples | None = None
     ) -> None:
-        self.source, self.optic, self.samples = source, optic, samples
-
-    @property
-    def by_area(self) -> bool:
-        """See `Emitter`."""
-        return isinstance(self.samples, Corners)
+        super().__init__(optic, samples)
+        self.source = source
 
     @property
     def origins(self) -> Origins:
@@ -53,17 +40,7 @@ class PointEmitter:
             return Origins(points, False, intensity, pattern=pattern)
         return Origins(points, False, intensity, lambertian)
 
-    @property
-    def splits(self) -> tuple[Array, Array]:
-        """See `Emitter`; points come one after the other along y."""
-        if not isinstance(self.samples, Corners):
-            raise TypeError("these rays are no corners of cells")
-        return splits_of(self.samples, (1, len(self.source.positions)))
-
-    def rays(self, seed: int, draw: int = 0) -> RayBundle:
-        """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""
-        if isinstance(self.samples, Corners):
-            return through_cells(self.origins, self.optic, self.samples)
+    def _drawn(self, seed: int, draw: int) -> RayBundle:
         rays = emit(self.source, self.optic, seed, draw)
         onto_face = np.column_stack([rays.crossing, np.full(len(rays.flux), self.optic.front_z)])
         return _bundle(onto_face, rays.direction, rays.flux)
@@ -103,45 +80,38 @@ class ModelPattern:
         return self._model.intensity(origin, direction)
 
 
-class RayFileEmitter:
-    """Light of a ray file; an `Emitter`.
+class RayFileEmitter(Emitter):
+    """Light of a ray file.
 
     All light of the file is 1, what goes elsewhere than to the lens included. At corners of cells
-    it is that of as many points as `Corners` says. The parameters are those of `emitter_of`.
+    it is that of as many points as `Corners` says.
     """
-
-    beside = 0.0
 
     def __init__(
         self, source: RayFileSource, optic: Element, samples: Samples | None = None
     ) -> None:
-        self._source, self._lens, self.samples = source, optic, samples
-        count = samples.origins if isinstance(samples, Corners) else _POINTS
-        self._model = model = ray_model(source, optic, count if source.continuous else 1)
-        points = self._model.places
-        self.origins = Origins(
-            points, False, np.ones(len(points)), pattern=ModelPattern(model), note=model.note
-        )
+        super().__init__(optic, samples)
+        self._source = source
 
-    @property
-    def by_area(self) -> bool:
-        """Where they are corners of cells; see `Emitter`."""
-        return isinstance(self.samples, Corners)
-
-    @property
-    def splits(self) -> tuple[Array, Array]:
+    @cached_property
+    def origins(self) -> Origins:
         """See `Emitter`."""
-        if not isinstance(self.samples, Corners):
-            raise TypeError("these rays are no corners of cells")
-        return splits_of(self.samples, (1, len(self.origins.places)))
+        source, samples = self._source, self.samples
+        count = samples.origins if isinstance(samples, Corners) else _POINTS
+        model = ray_model(source, self.optic, count if source.continuous else 1)
+        flux, pattern = np.ones(len(model.places)), ModelPattern(model)
+        return Origins(model.places, False, flux, pattern=pattern, note=model.note)
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays of the file drawn by the seed, or beams at corners; see `Emitter.rays`."""
-        if isinstance(self.samples, Corners):
-            beams = through_cells(self.origins, self._lens, self.samples)
+        rays = super().rays(seed, draw)
+        if self.by_area:
             # As of `ExtendedEmitter`: the trapezoidal rule may have more than all light.
-            return beams._replace(flux=beams.flux / beams.flux.sum().clamp_min(1))
-        placed, z = placed_rays(self._source), self._lens.front_z
+            rays = rays._replace(flux=rays.flux / rays.flux.sum().clamp_min(1))
+        return rays
+
+    def _drawn(self, seed: int, draw: int) -> RayBundle:
+        placed, z = placed_rays(self._source), self.optic.front_z
         x, y, come = placed.onto(z)
         count = self._source.rays
         if count < len(x):
@@ -157,8 +127,94 @@ class RayFileEmitter:
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the points in turn; see `Emitter.towards`."""
         origin = np.arange(len(x)) % len(self.origins.places)
-        lit = self.origins.light(x.numpy(), y.numpy(), self._lens.front_z, origin)
+        lit = self.origins.light(x.numpy(), y.numpy(), self.optic.front_z, origin)
         start = vector(tuple(self.origins.places[origin].T))
         lights = torch.as_tensor(lit.density > 0)
         flux = torch.where(lights, 1 / len(x), 0.0).double()
         return RayBundle(start, vector(lit.direction), flux, torch.ones_like(lights))
+
+
+class TurnedTable:
+    """Intensity of a lamp that is turned; a `Pattern`.
+
+    `table`: in the directions of the file; `matrix` (3, 3): turns directions of the file into those
+    of the scene.
+    """
+
+    def __init__(self, table: IntensityTable, matrix: Array) -> None:
+        self._table, self._matrix = table, matrix
+
+    def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
+        """Intensity, cd; see `Pattern.at`."""
+        return self._table.at(np.stack(np.broadcast_arrays(*direction), axis=-1) @ self._matrix)
+
+
+def light_of_table(source: PhotometricSource) -> EmittedLight:
+    """All light of a lamp, in the directions of the scene.
+
+    Raises `Refused` if the file cannot be read or used.
+    """
+    return _turned(table_of(source), tuple(source.matrix.ravel().tolist()))
+
+
+# Asked for by each plan of a run; tables differ by what they are, not by what they hold.
+@lru_cache(maxsize=4)
+def _turned(table: IntensityTable, matrix: tuple[float, ...]) -> EmittedLight:
+    direction, lumens = table.flux_nodes
+    return EmittedLight(direction @ np.reshape(matrix, (3, 3)).T, lumens / table.lumens)
+
+
+class PhotometricEmitter(Emitter):
+    """One point whose intensity is that of a file.
+
+    All light of the lamp is 1, what goes elsewhere than to the lens included.
+    """
+
+    def __init__(
+        self, source: PhotometricSource, optic: Element, samples: Samples | None = None
+    ) -> None:
+        super().__init__(optic, samples)
+        self._source = source
+
+    @cached_property
+    def origins(self) -> Origins:
+        """See `Emitter`."""
+        source, table = self._source, table_of(self._source)
+        pattern = TurnedTable(table, source.matrix)
+        return Origins(
+            np.array([source.position]),
+            False,
+            np.array([1 / table.lumens]),
+            pattern=pattern,
+            note=table.note,
+            emitted=light_of_table(source),
+        )
+
+    def _drawn(self, seed: int, draw: int) -> RayBundle:
+        """Rays through low-discrepancy places of the face.
+
+        No ray stands for light that passes the face by.
+        """
+        from scipy.stats import qmc  # late: it takes most of a second to import
+
+        count = self._source.rays if self.samples is None else math.prod(counts(self.samples))
+        sobol = qmc.Sobol(2, seed=np.random.default_rng([seed, draw]))
+        across, up = sobol.random_base2(max(count - 1, 1).bit_length())[:count].T
+        r_x, r_y = self.optic.half_width
+        x, y = (2 * across - 1) * r_x, (2 * up - 1) * r_y
+        return self._onto_face(x, y, 4 * r_x * r_y / count)
+
+    def towards(self, x: Tensor, y: Tensor) -> RayBundle:
+        """Rays from the point; see `Emitter.towards`."""
+        rays = self._onto_face(x.numpy(), y.numpy(), 1.0)
+        start = [torch.full_like(x, place) for place in self._source.position]
+        flux = torch.where(rays.flux > 0, 1 / len(x), 0.0)
+        return rays._replace(position=(start[0], start[1], start[2]), flux=flux)
+
+    def _onto_face(self, x: Array, y: Array, area: float) -> RayBundle:
+        """Rays through places of the face, each of which stands for an area of it."""
+        z = self.optic.front_z
+        lit = self.origins.light(x, y, z, np.zeros(1, dtype=np.intp))
+        alive = torch.ones(len(x), dtype=torch.bool)
+        flux = torch.as_tensor(lit.density * area)
+        return RayBundle(vector((x, y, np.full(len(x), z))), vector(lit.direction), flux, alive)
