@@ -76,12 +76,7 @@ class TestScene:
         "part, field, value, reason",
         [
             ("lens", "colour", "red", "lens.colour: unknown field"),
-            ("lens", "control_points", [3, 9], "lens.control_points[0]: 3 is too few"),
-            ("lens", "refractive_index", 0.9, "lens.refractive_index: 0.9"),
-            ("source", "kind", "laser", "source.kind: 'laser' is not available"),
             ("screen", "z", -1.0, "screen.z: -1 may touch the lens"),
-            ("screen", "pixels", [0, 8], "screen.pixels[0]: 0 is too small"),
-            ("run", "method", "magic", "run.method: 'magic' is not available"),
         ],
     )
     def test_unknown_and_impossible_fields(

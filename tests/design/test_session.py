@@ -117,6 +117,7 @@ def test_locks_stay_with_their_control_points_wherever_these_are(session):
     assert edited(session, {"images[0].receiver.position[2]": 7.0}).locked is locked
     finer_net = finer(session.scene.optic, 2)
     assert edited(session, {NET: finer_net}).locked == NO_LOCKS
+    assert edited(session, {"lens.back.degree": [3, 2]}).locked == NO_LOCKS
 
 
 def test_another_unit_keeps_the_lens_and_its_light(session):

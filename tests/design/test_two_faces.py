@@ -5,12 +5,9 @@ import pytest
 
 from resources import path
 from workbench.analysis.validation import validate
-from workbench.design.limits import HeightLimits, bounded, undesigned
+from workbench.design.limits import HeightLimits, bounded
 from workbench.design.run import run
-from workbench.design.session import Session
 from workbench.design.transport import first_of
-from workbench.files.session import read_session, write_session
-from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 from workbench.scene.paths import with_values
 from workbench.targets import load_target
@@ -71,20 +68,6 @@ def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     moved = last.state.heights["lens.front"] != 0.1
     assert not moved[mask].any()
     assert moved[~mask].all()
-
-
-def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_path):
-    scene = make_scene(
-        {**FREEFORM, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
-    )
-    start = undesigned(scene.optic)
-    mask = np.arange(63).reshape(7, 9) % 5 == 0
-    session = Session(scene, uneven, start=start, locked=FaceArrays({"lens.front": mask}))
-    write_session(session, tmp_path / "two.freeform")
-    again = read_session(tmp_path / "two.freeform")
-    assert again.start == start
-    assert again.locked == session.locked
-    assert again.scene == scene
 
 
 def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():

@@ -36,25 +36,6 @@ def test_an_image_below_the_folder_is_stored_relative(tmp_path, make_scene, imag
     assert read_scene(path).target.image == absolute
 
 
-@pytest.mark.parametrize(
-    "part, field, value, path",
-    [
-        ("lens", "control_points", [3, 3], "lens.control_points[0]"),
-        ("lens", "thickness", 1, "lens.thickness"),
-        ("screen", "z", "far", "screen.z"),
-        ("run", "iterations", -1, "run.iterations"),
-    ],
-)
-def test_an_impossible_scene_is_refused_by_its_field(
-    tmp_path, scene_data, part, field, value, path
-):
-    scene_data[part][field] = value
-    (tmp_path / "scene.json").write_text(json.dumps(scene_data))
-    with pytest.raises(Refused) as caught:
-        read_scene(tmp_path / "scene.json")
-    assert caught.value.path == path
-
-
 def test_a_missing_file_a_folder_and_a_pipe_are_refused(tmp_path):
     with pytest.raises(Refused, match=r"missing\.json: does not exist"):
         read_scene(tmp_path / "missing.json")

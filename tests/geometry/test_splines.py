@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.interpolate import BSpline, NdBSpline
+from scipy.interpolate import BSpline
 
 from workbench.geometry.basis import (
     basis_matrix,
@@ -114,13 +114,3 @@ class TestRange:
         assert low.shape == values.shape[:2]
         assert (low <= values.min(axis=2) + slack).all()
         assert (high >= values.max(axis=2) - slack).all()
-
-
-def test_reference_agrees_with_the_tensor_spline(rng):
-    net = ControlNet((9, 7), (3, 3), (1.5, 0.7))
-    heights = rng.normal(size=(9, 7))
-    knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
-    x, y = np.linspace(-1.4, 1.4, 5), np.linspace(-0.6, 0.6, 4)
-    places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
-    tensor = NdBSpline(tuple(knots), heights, 3)(places, nu=(1, 1))
-    assert derivative(net, heights, (1, 1), x, y) == pytest.approx(tensor)

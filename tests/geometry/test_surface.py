@@ -1,4 +1,4 @@
-"""The exit face: evaluation on grids and at points, refinement, orientation of its axes."""
+"""The exit face: evaluation at points, orientation of its axes."""
 
 import numpy as np
 import pytest
@@ -42,13 +42,3 @@ def test_a_plane_over_the_positions_is_a_plane(net, rng):
     assert np.abs(z - plane).max() < 1e-12
     assert slope_x == pytest.approx(2, abs=1e-11)
     assert slope_y == pytest.approx(-5, abs=1e-9)
-
-
-def test_refinement_is_exact(net, rng):
-    heights = rng.normal(size=net.shape)
-    shape = tuple(3 * (n - p) + p for n, p in zip(net.shape, net.degree, strict=True))
-    finer = ControlNet(shape, net.degree, net.half_width)
-    u, v = rng.random(100), rng.random(100)
-    before = net.points(u, v).evaluate(heights)[0]
-    after = finer.points(u, v).evaluate(net.refine(heights, finer))[0]
-    assert np.abs(after - before).max() < 1e-12

@@ -26,22 +26,6 @@ class Unchanged:
         return Passed(RayBundle(meeting.position, rays.direction, flux, meeting.met), {})
 
 
-def total(arrival):
-    flux = arrival.rays.flux.detach().sum(dtype=torch.float64)
-    return (flux + sum(arrival.lost.values())).item()
-
-
-@SOURCES
-@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
-def test_arrived_and_lost_light_add_up_to_all_light(make_scene, source, dtype):
-    scene = make_scene({"source": source})
-    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk(
-        {"lens.back": smooth(scene, 0.2)}
-    )
-    assert total(arrival) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 1e-6)
-    assert min(flux.item() for flux in arrival.lost.values()) >= -1e-6
-
-
 @SOURCES
 def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     """Two planes in the glass that let all light pass change no ray."""

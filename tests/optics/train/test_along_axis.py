@@ -117,18 +117,6 @@ def test_twins_agree_in_float32_but_for_rays_on_the_edge_of_a_pixel(
     assert (found - gradient).norm() <= (1e-4 + 4 * band) * max(1e-3, gradient.norm().item())
 
 
-def test_float32_comes_as_close_to_float64_as_the_reference_does(make_scene):
-    scene = make_scene({"source.rays": [120, 120]})
-    heights = lens(scene, 1, 0.02)
-    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
-    _, exact = with_gradient(twins(scene, torch.float64)[0], heights, scene, cotangent)
-    reference, kernel = (
-        (with_gradient(tracer, heights, scene, cotangent)[1] - exact).norm() / exact.norm()
-        for tracer in twins(scene, torch.float32)
-    )
-    assert kernel < max(1.5 * reference, 1e-5)
-
-
 @pytest.mark.parametrize("rays", [(1, 1), (1, 300), (300, 1), (257, 3), (700, 40)])
 def test_any_number_of_rays_fills_its_batches(make_scene, rays):
     scene = make_scene({"source.rays": list(rays)})
