@@ -7,9 +7,8 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QScrollArea, QVBoxLay
 
 from ui.panels.edits import Edit, put
 from ui.panels.entries import RowEntries
-from ui.panels.fields import TextRow
 from ui.panels.images import of_image
-from ui.panels.rows import KindRow, Make, Rows, file_rows
+from ui.panels.rows import Make, Rows, connect_asked, file_rows
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
@@ -54,9 +53,8 @@ class JobForm(QScrollArea):
         ]
         for row in self.rows:
             form.addRow(row.label, row)
-            if isinstance(row, KindRow | TextRow):
-                asked = self.light_asked if row.path == "file" else self.image_asked
-                row.asked.connect(lambda *_, asked=asked: asked.emit())
+            asked = self.light_asked if row.path == "file" else self.image_asked
+            connect_asked([row], asked.emit)
         self._entries = RowEntries(
             self.rows, lambda: self.job, self._answer, self, form.setRowVisible
         )

@@ -27,7 +27,7 @@ from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.errors import Refused
-from workbench.files.export.options import PLAIN, RANGES, Cutting
+from workbench.files.export.options import FEED, PLAIN, RANGES, Cutting
 from workbench.powers import written
 from workbench.scene import LENGTH, Measure
 from workbench.scene.fields import LeftOut
@@ -84,6 +84,7 @@ class CutFields(QWidget):
         self.rows = {row.path: row for row in _rows()}
         for row in self.rows.values():
             form.addRow(row.label, row)
+            row.reserve_unit(FEED)
         self._entries = RowEntries(
             list(self.rows.values()), lambda: self._data, self._enter, self, form.setRowVisible
         )

@@ -4,22 +4,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QSettings, Signal
-from PySide6.QtWidgets import QHBoxLayout
 
 from ui.background import Background, Task
 from ui.document.frame import same_light
 from ui.manufacture.figures import LimitFields, ManufactureFigures
-from ui.panels.editors import Chooser
-from ui.views.choices import FaceChoice
-from ui.views.image_view import ImageView
+from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
-from ui.widgets.controls import SideBySide, filled
+from ui.widgets.controls import SideBySide
 from ui.words import later, tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.arrays import Array
 from workbench.geometry.surface import even_counts, freeform_nets
-from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 
 if TYPE_CHECKING:
@@ -49,27 +45,17 @@ class _DrawnMap(NamedTuple):
         return False
 
 
-class FaceMap(ImageView):
+class FaceMap(FaceMapView):
     """Map of a face, one of `MAPS`."""
 
     _WAITING = later("Computed when the design rests…")
 
     def __init__(self) -> None:
-        super().__init__()
-        self._name = next(iter(MAPS))
         self._limits = Limits()
-        self._chosen: SurfaceMaps | None = None
         self._maps: Mapping[str, SurfaceMaps] = {}
-        self.faces = FaceChoice()
-        self.faces.currentIndexChanged.connect(self._choose)
-        self.chooser = Chooser()
-        self.chooser.setAccessibleName(tr("What the map shows"))
-        for name in MAPS:
-            self.chooser.addItem(tr(name), name)
-        self.chooser.currentIndexChanged.connect(self._turn)
-        row = filled(QHBoxLayout(), self.faces, self.chooser, margins=(6, 4, 6, 0))
-        self._box.insertLayout(0, row)
-        self._turn(0)
+        hatched = tr("; hatched where a limit is exceeded")
+        names = zip(MAPS, _TIPS, strict=True)
+        super().__init__([(tr(name), f"{tr(tip)}{hatched}") for name, tip in names])
 
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
         self._maps = maps
@@ -83,35 +69,21 @@ class FaceMap(ImageView):
             self._begin_anew()
 
     def show_nothing(self, session: "Session") -> None:
-        self._maps, self._chosen = {}, None
+        self._maps = {}
         super().show_nothing(session)
 
-    def _choose(self) -> None:
-        self._chosen = self._maps.get(self.faces.face)
-        self._begin_anew()
-
-    def _turn(self, number: int) -> None:
-        self._name = self.chooser.currentData()
-        self.chooser.setToolTip(
-            f"<p>{tr(_TIPS[number])}{tr('; hatched where a limit is exceeded')}</p>"
-        )
-        self._begin_anew()
-
     def _new_image(self, axes: "Axes", session: "Session") -> "_DrawnMap":
-        if self._chosen is None:
+        maps = self._maps.get(self.faces.face)
+        if maps is None:
             return _DrawnMap(np.zeros((1, 1)))
-        unit = session.scene.unit
-        return _DrawnMap(draw_map(axes, self._name, self._chosen, self._limits, unit))
+        name, unit = MAPS[self.quantity], session.scene.unit
+        return _DrawnMap(draw_map(axes, name, maps, self._limits, unit))
 
     def _shown_array(self, frame: "Frame") -> Array:
         return np.zeros((1, 1))  # the map is drawn at the beginning
 
-    def _extent(self, session: "Session") -> Extent:
-        optic = session.scene.focused_on(self.faces.face).optic
-        return Extent.around(optic.half_width, session.scene.unit)
-
     def _unit(self, session: "Session") -> str:
-        return map_unit(self._name, session.scene.unit).removeprefix("1 ")
+        return map_unit(MAPS[self.quantity], session.scene.unit).removeprefix("1 ")
 
 
 class _Found(NamedTuple):

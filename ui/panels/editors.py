@@ -1,8 +1,8 @@
 """Editors of forms, and the labels for refusals."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QComboBox, QLineEdit, QSizePolicy
+from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent
+from PySide6.QtWidgets import QLineEdit
 
 from ui.panels.edits import Typed
 from ui.widgets.labels import WrappedLabel
@@ -75,20 +75,6 @@ class NumberEditor(TextEditor):
 
     def typed(self, text: str) -> Typed:
         return Typed(text, self._measure, self._whole)
-
-
-class Chooser(QComboBox):
-    """A combo box that the mouse wheel scrolls past."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        # Long entries must not widen the whole form.
-        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.setMinimumContentsLength(8)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        event.ignore()
 
 
 class Wrapped(WrappedLabel):

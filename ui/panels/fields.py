@@ -11,10 +11,10 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
+from ui.panels.editors import NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, Typed, holder_of
 from ui.widgets import theme
-from ui.widgets.controls import filled
+from ui.widgets.controls import Chooser, filled
 from ui.words import in_sentence, tr
 from workbench.scene import AutoNet, Element, FieldDescription, Measure, Part
 from workbench.scene.fields import AUTO, Fallback, LeftOut
@@ -63,6 +63,10 @@ class Row(QWidget):
     def explain(self, tip: str) -> None:
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
+
+    def reserve_unit(self, longest: str) -> None:
+        """Keep space for a unit, so that the editors of a form end at one line."""
+        self._unit.setMinimumWidth(self._unit.fontMetrics().horizontalAdvance(longest))
 
     def indent(self) -> None:
         """Move the label to the right: the field belongs to the one above."""

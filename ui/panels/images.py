@@ -5,14 +5,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Signal
-from PySide6.QtGui import QImage, QPainter, QPaintEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QImage
 
 from ui.panels.edits import Edit
-from ui.panels.fields import PairsRow, Row, TextRow
+from ui.panels.fields import PairsRow, Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
-from ui.panels.rows import KindRow, Make, Rows, file_rows
+from ui.panels.rows import Make, Rows, connect_asked, file_rows
+from ui.widgets.native import ScaledImage
 from ui.words import in_sentence, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
@@ -59,9 +59,7 @@ class TargetPanel(PartPanel):
     def __init__(self, field: FieldDescription) -> None:
         dropped = tr("An image file can also be dropped onto the window.")
         super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
-        for row in self.rows:
-            if isinstance(row, KindRow | TextRow):
-                row.asked.connect(lambda *_: self.image_asked.emit())
+        connect_asked(self.rows, self.image_asked.emit)
         self._thumbnail = Thumbnail()
         self._form.insertRow(0, self._thumbnail)
 
@@ -90,12 +88,11 @@ def of_image(path: Path, before: Finish) -> dict[str, object]:
     return {"image": str(path.absolute()), "tone": tone, **finish}
 
 
-class Thumbnail(QWidget):
+class Thumbnail(ScaledImage):
     """The target in grey levels."""
 
     def __init__(self, height: int = _HEIGHT) -> None:
         super().__init__()
-        self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(height)
         self.setToolTip(tr("Target irradiance as its viewer sees it"))
         self.setAccessibleName(tr("Target image"))
@@ -104,29 +101,9 @@ class Thumbnail(QWidget):
         """Show an image (n_y, n_x) with an aspect ratio; its peak is white."""
         # As much light of the monitor for each pixel as there is on the screen.
         greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")
-        self._aspect = aspect
         rows, columns = greys.shape
         view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
-        self._picture = view.copy()  # the array is gone after this
-        self.update()
-
-    def clear(self) -> None:
-        self._picture = QImage()
-        self.update()
-
-    @property
-    def place(self) -> QRect:
-        width, height = float(self.width()), float(self.height())
-        size = QSizeF(min(width, height * self._aspect), min(height, width / self._aspect))
-        place = QRect(QPoint(0, 0), size.toSize().expandedTo(QSize(1, 1)))
-        place.moveCenter(self.rect().center())
-        return place
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(self.place, self._picture)
-        painter.end()
+        self.show_image(view.copy(), aspect)  # the array is gone after this
 
 
 _FARTHER = 1.2  # times as far from the lens as the receiver before
@@ -197,9 +174,7 @@ class ImagesPanel(ListedPanel[Image]):
         made = [row for field in fields for row in rows.of_field(field, f"{path}.{field.name}")]
         if number == 0:
             made[0].only_if(_several)
-        for row in made:
-            if isinstance(row, KindRow | TextRow):
-                row.asked.connect(lambda *_: self.image_asked.emit())
+        connect_asked(made, self.image_asked.emit)
         return made
 
 

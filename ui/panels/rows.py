@@ -1,6 +1,6 @@
 """Rows of a part of the scene, from the descriptions of its fields."""
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import Any
 
@@ -193,6 +193,13 @@ class KindRow(ChoiceRow):
         if name == self._shown:
             return None
         return {self._part: first.model_dump(mode="json", exclude_none=True)}
+
+
+def connect_asked(rows: Iterable[Row], ask: Callable[[], object]) -> None:
+    """Call a function when a row asks for a file, by its button or as a kind that needs one."""
+    for row in rows:
+        if isinstance(row, KindRow | TextRow):
+            row.asked.connect(lambda *_: ask())
 
 
 def _sentence(kind: type[Part]) -> str:

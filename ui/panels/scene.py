@@ -8,9 +8,9 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel
 
 from ui.panels.edits import Edit
-from ui.panels.fields import Changes, ChoiceRow, Row, TextRow, described
+from ui.panels.fields import Changes, ChoiceRow, Row, described
 from ui.panels.panel import ListedPanel, Panel, PartPanel
-from ui.panels.rows import KindRow, Make, Rows, file_rows, value_row
+from ui.panels.rows import Make, Rows, connect_asked, file_rows, value_row
 from ui.words import in_sentence, later, tr
 from workbench.design.net import memory_bytes, parameter_count
 from workbench.process import as_bytes
@@ -72,9 +72,7 @@ class SourcePanel(PartPanel):
 
     def __init__(self, field: FieldDescription) -> None:
         super().__init__(field)
-        for row in self.rows:
-            if isinstance(row, KindRow | TextRow):
-                row.asked.connect(lambda *_: self.file_asked.emit())
+        connect_asked(self.rows, self.file_asked.emit)
 
     def own_rows(self) -> dict[str, Make]:
         return {"file": file_rows}

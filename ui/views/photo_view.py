@@ -4,19 +4,14 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QSizePolicy,
     QSlider,
     QVBoxLayout,
-    QWidget,
 )
 
 from ui.background import Background, Task, other_cores
@@ -25,7 +20,7 @@ from ui.views.choices import ImageChoice
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.native import rgb_image
+from ui.widgets.native import ScaledImage, rgb_image
 from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 
@@ -71,37 +66,6 @@ def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
 _USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
 
 
-class Pixels(QWidget):
-    """Paints an image as large as possible, with its aspect ratio."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._image: QImage | None = None
-        self._aspect = 1.0
-        self.setMinimumSize(_LEAST)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-
-    def sizeHint(self) -> QSize:
-        return _USUAL
-
-    def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
-        """Show an image (n_y, n_x, 3) with pixels of an aspect ratio, or none."""
-        self._image, self._aspect = None if values is None else rgb_image(values), aspect
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        if self._image is None:
-            return
-        size = QSizeF(self._image.width() * self._aspect, self._image.height())
-        size.scale(QSizeF(self.size()), Qt.AspectRatioMode.KeepAspectRatio)
-        place = QRectF(0, 0, size.width(), size.height())
-        place.moveCenter(QRectF(self.rect()).center())
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(place, self._image)
-        painter.end()
-
-
 _TAKE = later("photo prediction")
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
 _NO_LENS = later("There is no lens yet. Start designs one.")
@@ -126,7 +90,8 @@ class PhotoView(ComputingView):
         )
         self._background.done.connect(self._show)
         self._background.failed.connect(self._summary.setText)
-        self._pixels = Pixels()
+        self._pixels = ScaledImage(_USUAL)
+        self._pixels.setMinimumSize(_LEAST)
         self._box.addWidget(self._pixels, 1)
         self._box.addLayout(self._controls())
         self._box.addWidget(self._summary)
@@ -145,7 +110,7 @@ class PhotoView(ComputingView):
 
     def show_nothing(self, session: "Session") -> None:
         self._taken = None
-        self._pixels.show_pixels(None)
+        self._pixels.clear()
         super().show_nothing(session)
         self._summary.setText(tr(_NO_LENS))
 
@@ -247,7 +212,8 @@ class PhotoView(ComputingView):
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._taken is not None:
             photo = self._taken[1]
-            self._pixels.show_pixels(photo.picture(self.stops), photo.aspect)
+            image = rgb_image(photo.picture(self.stops))
+            self._pixels.show_image(image, photo.aspect * image.width() / image.height())
             self._pixels.repaint()
 
 

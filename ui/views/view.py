@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ui.background import Background
 from ui.document.frame import shows
 from ui.views.shared_view import SharedView
+from ui.widgets import theme
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
 
@@ -165,8 +166,7 @@ class View(QWidget):
             self._draw(session, self._frame)
 
     def is_dark(self) -> bool:
-        palette = self.palette()
-        return palette.windowText().color().lightness() > palette.window().color().lightness()
+        return theme.is_dark(self.palette())
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,10 +1,10 @@
-"""Native windows, the Qt application, and pictures of numpy for Qt."""
+"""Native windows, the Qt application, and images of numpy's arrays."""
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
-from PySide6.QtGui import QImage, QPaintEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QRect, QSize, QSizeF, Qt
+from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 
 def application() -> QApplication:
@@ -46,3 +46,38 @@ def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
     data = np.ascontiguousarray(colours)
     image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
     return image.copy()  # the data are numpy's
+
+
+class ScaledImage(QWidget):
+    """Paints an image as large as possible, with the aspect of what it shows."""
+
+    def __init__(self, usual: QSize | None = None) -> None:
+        super().__init__()
+        self._usual, self._picture, self._aspect = usual, QImage(), 1.0
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def sizeHint(self) -> QSize:
+        return self._usual or super().sizeHint()
+
+    def show_image(self, image: QImage, aspect: float) -> None:
+        self._picture, self._aspect = image, aspect
+        self.update()
+
+    def clear(self) -> None:
+        self.show_image(QImage(), 1.0)
+
+    @property
+    def place(self) -> QRect:
+        """Rectangle of the image."""
+        size = QSizeF(self._aspect, 1.0).scaled(
+            QSizeF(self.size()), Qt.AspectRatioMode.KeepAspectRatio
+        )
+        place = QRect(QPoint(0, 0), size.toSize().expandedTo(QSize(1, 1)))
+        place.moveCenter(self.rect().center())
+        return place
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(self.place, self._picture)
+        painter.end()

@@ -32,7 +32,7 @@ def view(tilted, show, qtbot):
 
 
 def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilted, qtbot):
-    view._aspects.setCurrentIndex(1)
+    view.chooser.setCurrentIndex(1)
     view.show_frame(tilted(1.0))
     qtbot.waitUntil(lambda: view._values is not None and np.allclose(view._values, 45))
 
@@ -54,10 +54,10 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     view.show_frame(frame)
     show(view, 500, 400)
     qtbot.waitUntil(lambda: not view.empty)
-    names = [view._faces.itemText(number) for number in range(view._faces.count())]
-    assert names == ["Entrance face", "Exit face"] and view._faces.isVisible()
-    assert view._faces.face == "lens.back" and np.allclose(view._values, 0)
-    view._faces.choose("lens.front")
+    names = [view.faces.itemText(number) for number in range(view.faces.count())]
+    assert names == ["Entrance face", "Exit face"] and view.faces.isVisible()
+    assert view.faces.face == "lens.back" and np.allclose(view._values, 0)
+    view.faces.choose("lens.front")
     qtbot.waitUntil(lambda: view._values is not None and np.ptp(view._values) > 0.09)
     *_, written = view.data()
     assert written.name == "Entrance face: height [cm]"
@@ -67,6 +67,6 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     assert titles == ["Entrance face"] and view._axes.get_title("left") == ""
     one = frames(1, heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}))
     view.show_frame(one)
-    qtbot.waitUntil(lambda: not view._faces.isVisible())
-    assert view._faces.face == "lens.back"
+    qtbot.waitUntil(lambda: not view.faces.isVisible())
+    assert view.faces.face == "lens.back"
     assert view.data()[-1].name == "height [cm]"
