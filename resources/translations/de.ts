@@ -2930,11 +2930,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>What the map shows</source>
-            <translation>Was die Karte zeigt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; schraffiert, wo eine Grenze verletzt ist</translation>
         </message>
@@ -4718,6 +4713,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
 {tip}</source>
             <translation>Von {start} bis {end} {unit}.
 {tip}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>What the map shows</source>
+            <translation>Was die Karte zeigt</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />

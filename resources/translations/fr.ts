@@ -2930,11 +2930,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>What the map shows</source>
-            <translation>Ce que montre la carte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; hachuré où une limite est dépassée</translation>
         </message>
@@ -4718,6 +4713,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
 {tip}</source>
             <translation>De {start} à {end} {unit}.
 {tip}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/surface_view.py" />
+            <source>What the map shows</source>
+            <translation>Ce que montre la carte</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
