@@ -7836,8 +7836,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
-            <source>cells follow light through one element only; random rays are used</source>
-            <translation>Zellen verfolgen Licht nur durch ein einziges Element; Zufallsstrahlen werden verwendet</translation>
+            <source>a diffuser scatters the light: random rays are used</source>
+            <translation>ein Diffusor streut das Licht: es werden Zufallsstrahlen verwendet</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />

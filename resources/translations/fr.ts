@@ -7836,8 +7836,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
-            <source>cells follow light through one element only; random rays are used</source>
-            <translation>les cellules ne suivent la lumière qu'à travers un seul élément ; des rayons aléatoires sont utilisés</translation>
+            <source>a diffuser scatters the light: random rays are used</source>
+            <translation>un diffuseur disperse la lumière : des rayons aléatoires sont utilisés</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />

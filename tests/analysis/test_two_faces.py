@@ -25,7 +25,7 @@ def leaving(scene, heights, pose, x=0.0, y=0.0):
     """Direction behind the lens of the ray along the axis through (x, y), and where it leaves."""
     train = OpticalTrain.of(scene, heights, 1, 0, pose, [scene.receiver])
     rays = TracedRays(np.array([[x, y, -1.0]]), np.array([[0.0, 0.0, 1.0]]), np.ones(1))
-    found = train.leaving(rays)
+    found, _ = train.leaving(rays)
     assert found.flux[0] > 0
     return found.direction[0], found.position[0]
 

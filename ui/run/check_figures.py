@@ -247,8 +247,9 @@ def _rows_of(
     from workbench.optics.account import words_of
     from workbench.report.figures import account_rows, check_rows, region_rows
 
-    parts = account_rows(found.account, scene, light_unit(scene))
-    titles = [words_of(part, scene.receiver) for part in found.account.parts_in(scene)]
+    account = (found.by_cells or found).account
+    parts = account_rows(account, scene, light_unit(scene))
+    titles = [words_of(part, scene.receiver) for part in account.parts_in(scene)]
     rows = [
         *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference, remark)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),

@@ -15,6 +15,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.arrays import Array
 from workbench.messages import Message
+from workbench.optics.account import Account
 from workbench.progress import Steps, within
 from workbench.scene import AnyReceiver, Scene
 
@@ -122,6 +123,7 @@ class ByCells:
     relative_l2_corrected_interval: tuple[float, float]
     loss: float  # of the paper (section 2.4)
     efficiency: float  # part of the emitted flux on the receiver
+    account: Account  # where the light goes, without the scatter of rays
     bound: float  # of the error of the image, over its norm; see `imaging`
     wanted: float  # requested accuracy
     cells: tuple[int, int]  # along x and y
@@ -141,28 +143,35 @@ class ByCells:
         of_rays: Array,
         unscattered: CorrectedDistance,
         share: RandomShare | None,
+        account: Account,
         independent: IndependentError | None = None,
     ) -> "ByCells":
-        """Compare the image by cells with the target and the image of random rays, in any scale."""
+        """Compare the image by cells with the target and the image of random rays, in any scale.
+
+        ``account`` is that of the random rays.
+        """
         by_cells, apart = image.error(target)
         error, interval = by_cells, (max(by_cells - apart, 0.0), by_cells + apart)
         irradiance = image.irradiance
+        lit = receiver.total(irradiance)
+        whole = lit + sum(image.lost.values())  # 1, but for the error of sums over cells
+        own = Account(lit / whole, {name: part / whole for name, part in image.lost.items()})
         if independent is not None:
             error, interval, *_ = independent.unscattered
             if image.bound > _NOTHING:
-                irradiance = of_rays
+                irradiance, own = of_rays, account
                 by_cells = relative_l2(of_rays, target)
         difference = relative_l2(of_rays, image.irradiance)
         flux = image.irradiance * receiver.pixel_measure
         # The error of the sum of all pixels, by the Cauchy-Schwarz inequality.
         off = image.bound * float(np.linalg.norm(flux)) * math.sqrt(flux.size)
-        lit = receiver.total(image.irradiance)
         agreement = Agreement(lit, off, share, image.bound, unscattered) if share else None
         return cls(
             relative_l2_corrected=error,
             relative_l2_corrected_interval=interval,
             loss=paper_loss(irradiance, target) * (error / by_cells if by_cells else 1.0),
             efficiency=receiver.total(irradiance),
+            account=own,
             bound=image.bound,
             wanted=image.wanted,
             cells=image.cells,
@@ -218,6 +227,7 @@ class ByCells:
             "relative_l2_interval": list(self.relative_l2_corrected_interval),
             "loss": self.loss,
             "efficiency": self.efficiency,
+            "ledger": self.account.to_data(),
             "error_bound": self.bound,
             "error_bound_wanted": self.wanted,
             "cells": list(self.cells),

@@ -12,7 +12,6 @@ import numpy as np
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
-from workbench.analysis.tracing.surfaces.cut import CutSurface
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
@@ -50,11 +49,10 @@ def tracing_cut(
 ) -> Steps[CutLens]:
     """Trace a lens as cut by ``raster`` in steps, and as designed with four times as many rays.
 
-    The first image counts. Raises `Refused` for several elements or a mirror.
+    The cut face is the exit face of the last designed element, and the first image counts. Raises
+    `Refused` for a mirror.
     """
-    scene.check_one_element("the trace of a cut lens")
-    optic = scene.optic
-    if optic.onwards < 0:
+    if scene.optic.onwards < 0:
         raise Refused("mirror", Message("its cut is not traced; only that of an exit face is"))
     images: list[list[Array]] = [[], []]
     lines = scene.lines
@@ -62,15 +60,11 @@ def tracing_cut(
         sums = [np.zeros(target.shape), np.zeros(target.shape)]
         for k, line in enumerate(lines):
             seed = number + BATCHES * k
-            designed, train = (
-                OpticalTrain.of(line.scene, heights, each, seed, Pose(), (scene.receiver,))
-                for each in (4 * rays // BATCHES, rays // BATCHES)
+            trains = (
+                OpticalTrain.of(line.scene, heights, each, seed, Pose(), (scene.receiver,), cut)
+                for each, cut in ((4 * rays // BATCHES, None), (rays // BATCHES, raster))
             )
-            *before, (face, boundary) = train.faces
-            surface = CutSurface(face, raster, optic.front_z)
-            faces = [*before, (surface, boundary)]
-            cut = OpticalTrain(train.source, faces, train.detector, train.names)
-            for which, each in enumerate((designed, cut)):
+            for which, each in enumerate(trains):
                 done = 2 * (len(lines) * number + k) + which
                 part = partial(of_equal, 2 * len(lines) * BATCHES, done)
                 image = yield from within(_imaging(each, target.shape), part)

@@ -14,7 +14,7 @@ from torch.autograd import forward_ad
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.messages import Message
 from workbench.optics.plan import Plan, tensors_of
 from workbench.scene import Scene
@@ -60,7 +60,7 @@ def irradiance_derivative(
     True
     """
     face = face or scene.optic.designed_face
-    net = freeform_nets(scene.optic)[face]
+    net = nets_of(scene)[face]
     _check(scene, net, index)
     plan = Plan(scene, dtype=dtype)
     tensors = tensors_of(heights, scene)
@@ -85,7 +85,7 @@ def irradiance_derivative(
 
 def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
     scene.check_one_image("derivative maps")
-    scene.check_one_element("derivative maps")
+    scene.check_no_diffuser("derivative maps")
     for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(

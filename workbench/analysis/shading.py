@@ -1,4 +1,4 @@
-"""Light that the last face or the receiver blocks, which the design and the check ignore.
+"""Light that a face or the receiver blocks, which the design and the check ignore.
 
 A deep mirror sends light onto itself, and a screen on the axis blocks the light of a mirror. The
 images count such light as if nothing blocked it; random rays measure how much of it there is.
@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
@@ -28,9 +29,9 @@ _PARTS = 8  # of the face along x and y, of which the brightest is reported
 class Shading:
     """Blocked light, as parts of the emitted flux."""
 
-    meets_again: float  # leaves the last face and meets it again
-    at: tuple[float, float] | None  # x and y of the brightest part, scene units
-    through_receiver: float  # comes to the first face through the receiver
+    meets_again: float  # leaves a face and meets it again
+    at: tuple[float, float] | None  # x and y of the brightest part of that face, scene units
+    through_receiver: float  # comes to a face through the receiver
 
     @property
     def figures(self) -> dict[str, Message]:
@@ -60,31 +61,42 @@ class Shading:
 def shading_of(
     scene: Scene, heights: Mapping[str, Array], seed: int, pose: Pose | None = None
 ) -> Shading:
-    """Measure the blocked light by random rays."""
-    scene.check_one_element("the search for light that comes back")
-    pose = pose or Pose()
-    train = OpticalTrain.of(scene, heights, _RAYS, seed, pose, [scene.receiver])
-    begin = -np.inf if scene.source.place is None else scene.source.place[2]
+    """Measure the blocked light of all faces by random rays, at the first wavelength."""
+    scene = scene.lines[0].scene
+    train = OpticalTrain.of(scene, heights, _RAYS, seed, pose or Pose(), [scene.receiver])
     emitted = through = 0.0
-    places, fluxes = [], []
+    back: list[list[tuple[Array, Array]]] = [[] for _ in train.faces]
     for number in range(BATCHES):
         for rays in train.source.batch(number):
             emitted += float(rays.flux.sum()) * (1 + train.source.beside)
-            first = train.faces[0][0].meet(rays)
-            arrives = rays._replace(position=first.position, flux=first.flux)
-            through += float(first.flux[train.detector.in_the_way(arrives, begin)].sum())
-            leaves = train.leaving(rays)
-            where = train.faces[-1][0].met_again(leaves, scene.optic.onwards)
-            back = np.isfinite(where[:, 0])
-            places.append(where[back])
-            fluxes.append(leaves.flux[back])
-    at, flux = np.concatenate(places), np.concatenate(fluxes)
-    middle = _brightest(at, flux, scene.optic.half_width) if flux.size else None
-    return Shading(float(flux.sum()) / emitted, middle, through / emitted)
+            points = train.source.places
+            far = np.full(3, -np.inf) if points is None else points.mean(axis=0)
+            begin = np.broadcast_to(far, rays.position.shape)
+            for (face, boundary), returned in zip(train.faces, back, strict=True):
+                crossings = face.meet(rays)
+                lit = crossings.flux > 0
+                place, flux = crossings.position[lit], crossings.flux[lit]
+                ways = np.broadcast_to(rays.direction, rays.position.shape)[lit]
+                length = np.linalg.norm(place - begin[lit], axis=1)
+                in_the_way = train.detector.in_the_way(TracedRays(place, ways, flux), length)
+                through += float(flux[in_the_way].sum())
+                rays, _ = boundary.turn(rays, crossings)
+                begin = rays.position
+                again = face.met_again(rays, boundary.onwards)
+                known = np.isfinite(again[:, 0])
+                returned.append((again[known], rays.flux[known]))
+    places, fluxes = zip(
+        *(map(np.concatenate, zip(*each, strict=True)) for each in back), strict=True
+    )
+    sums = [float(flux.sum()) for flux in fluxes]
+    most = int(np.argmax(sums))
+    middle = _brightest(places[most], fluxes[most]) if sums[most] else None
+    return Shading(sum(sums) / emitted, middle, through / emitted)
 
 
-def _brightest(at: Array, flux: Array, half_width: tuple[float, float]) -> tuple[float, float]:
-    """Centre of the light in the brightest part of the face."""
+def _brightest(at: Array, flux: Array) -> tuple[float, float]:
+    """Centre of the light in the brightest part of a face."""
+    half_width = np.abs(at).max(axis=0).clip(min=np.finfo(float).tiny)
     part = ((at / half_width + 1) / 2 * _PARTS).astype(np.intp).clip(0, _PARTS - 1)
     number = part[:, 0] * _PARTS + part[:, 1]
     most = number == np.bincount(number, flux).argmax()

@@ -146,10 +146,10 @@ def _of_one(
     share = RandomShare.of(account.efficiency, spread.shares, trace.rays)
     corrected, by_cells = unscattered[0], None
     if image is not None:
-        of_rays = (irradiance, unscattered[1], None if trace.sampled else share, independent)
+        known = None if trace.sampled else share
+        of_rays = (irradiance, unscattered[1], known, account, independent)
         by_cells = ByCells.of(image, target, scene.receiver, *of_rays)
     left_out = None if accuracy is None else _reason_without_cells(scene, by_cells, corrected)
-    searched = accuracy is not None and not scene.is_train
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -166,7 +166,7 @@ def _of_one(
         share=share,
         by_cells=None if left_out else by_cells,
         left_out=left_out,
-        shading=shading_of(scene, heights, seed, pose) if searched else None,
+        shading=None if accuracy is None else shading_of(scene, heights, seed, pose),
     )
 
 
@@ -174,8 +174,8 @@ def _reason_without_cells(
     scene: Scene, by_cells: ByCells | None, corrected: CorrectedDistance
 ) -> Message | None:
     """Why the check has no deterministic figure; None where it has one."""
-    if scene.is_train:
-        return Message("cells follow light through one element only; random rays are used")
+    if scene.diffuser is not None:
+        return Message("a diffuser scatters the light: random rays are used")
     if by_cells is None:
         return Message("finer cells would take too long: ask for more rays")
     if by_cells.poorer_than(corrected.interval):

@@ -151,7 +151,10 @@ def _print(found: Validation, difference: float | None) -> None:
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
         **(found.shading.figures if found.shading else {}),
         "rays": str(found.rays),
-        **{_called(part): f"{flux:.5f}" for part, flux in found.account.to_data().items()},
+        **{
+            _called(part): f"{flux:.5f}"
+            for part, flux in (found.by_cells or found).account.to_data().items()
+        },
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")

@@ -141,7 +141,7 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
     )
     yield Section(
         f"Light account{which}",
-        account_rows(found.account, scene, light_unit(scene)),
+        account_rows((found.by_cells or found).account, scene, light_unit(scene)),
         note="Parts of the emitted light.",
     )
     yield Section(

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.cells.triangles import Canvas, fill_cells
+from workbench.analysis.cells.drawing import Canvas
+from workbench.analysis.cells.kernels import fill_cells
 
 BOTH = pytest.mark.parametrize("odd", [0, 1])  # ways to split a cell
 

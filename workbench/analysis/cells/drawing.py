@@ -2,6 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from functools import partial
 from itertools import pairwise
 from threading import Event
@@ -9,35 +10,87 @@ from typing import Self
 
 import numpy as np
 
-from workbench.analysis.cells.triangles import Canvas
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
-from workbench.arrays import Array
+from workbench.arrays import Array, Index
 from workbench.geometry.outlines import outline_of
 from workbench.progress import Steps
 from workbench.scene import Scene
 
 _PARTS = 16  # of the work for any number of threads: rounding depends on them
+_STEP = 0.7549, 0.5698  # of the shift of samples from cell to cell
 _FAR = 1e7  # pixels beyond which light counts as lost
 
 
-class Drawing(ABC):
-    """Base of images by ``cells`` along x and y of the front face, for a train with one receiver.
+class Canvas:
+    """An image in the making.
 
-    The cells are equal on a square. `Grading` makes them smaller near an origin, and
-    `workbench.geometry.outlines` maps them onto the outline of the lens, which cuts no cell.
-    ``rays`` is the number of traced rays at the end.
+    Parameters
+    ----------
+    pixels : tuple[int, int]
+        Pixels along x and y.
+
+    Attributes
+    ----------
+    here, behind : ndarray, shapes (n_y, n_x), (n_y, n_x + 1)
+        What is added to each pixel, and what is added to a pixel and all behind it in its row.
+    rays : int
+        Rays followed for it.
+    passed : float
+        Flux behind all faces, on the screen or beside it.
+    lost : dict
+        Flux that is lost before, by keys of the light account.
+    """
+
+    def __init__(self, pixels: tuple[int, int]) -> None:
+        n_x, n_y = pixels
+        self.here, self.behind = np.zeros((n_y, n_x)), np.zeros((n_y, n_x + 1))
+        self.rays, self.passed = 0, 0.0
+        self.lost: dict[str, float] = {}
+
+    def add(self, other: "Canvas") -> None:
+        """Take in the light of another one."""
+        self.here += other.here
+        self.behind += other.behind
+        self.rays += other.rays
+        self.passed += other.passed
+        for name, flux in other.lost.items():
+            self.lose(name, flux)
+
+    def lose(self, name: str, flux: float) -> None:
+        """Add to a loss."""
+        self.lost[name] = self.lost.get(name, 0.0) + flux
+
+    def record(self, weights: Array, passed: Array, lost: Mapping[str, Array]) -> None:
+        """Add weighted sums of the flux that passed and of what was lost."""
+        self.passed += float(np.vdot(weights, passed))
+        for name, each in lost.items():
+            self.lose(name, float(np.vdot(weights, each)))
+
+    def flux(self) -> Array:
+        """Flux in each pixel, shape (n_y, n_x)."""
+        return self.here + np.cumsum(self.behind[:, :-1], axis=1)
+
+
+class Drawing(ABC):
+    """Base of images by ``cells`` along x and y of the aperture, for a train with one receiver.
+
+    The aperture is the outline of the first element, which all light passes. The cells are equal on
+    a square. `Grading` makes them smaller near an origin, and `workbench.geometry.outlines` maps
+    them onto the outline, which cuts no cell. At the end, ``rays`` is the number of traced rays,
+    and ``lost`` has the lost parts of the emitted flux by keys of the light account.
     """
 
     def __init__(self, scene: Scene, train: OpticalTrain, cells: tuple[int, int]) -> None:
         self._train, self._pixels = train, scene.receiver.pixels
-        self._outline = outline_of(scene.optic)
-        places, half_width = train.source.places, scene.optic.half_width
+        self._outline = outline_of(scene.first)
+        places, half_width = train.source.places, scene.first.half_width
         self._grading = None if places is None else [Grading.of(p, half_width) for p in places]
         self._width = tuple(2 / n for n in cells)
         self._strips: list[tuple[int, int]] = []
         self.rays = self._done = 0
+        self.lost: dict[str, float] = {}
 
     @abstractmethod
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
@@ -54,8 +107,13 @@ class Drawing(ABC):
                 total.add(canvas)
             del canvas  # frees memory before the next image
             yield self._done / len(self._strips)
-        self.rays = total.rays
-        return total.flux() / self._train.source.emitted
+        self.rays, flux, emitted = total.rays, total.flux(), self._train.source.emitted
+        beside = max(total.passed - float(flux.sum()), 0.0)
+        entered = total.passed + sum(total.lost.values())
+        total.lose(self._train.missed, max(emitted - entered, 0.0))
+        total.lose("off_screen", beside)
+        self.lost = {name: each / emitted for name, each in total.lost.items()}
+        return flux / emitted
 
     def _part(self, begin: int, end: int, left: Event) -> Canvas:
         canvas = Canvas(self._pixels)
@@ -66,14 +124,20 @@ class Drawing(ABC):
             self._done += 1
         return canvas
 
-    def _arrive(self, origin: int, u: Array, v: Array) -> tuple[Array, Array]:
-        """Hits (m, 2) in pixels and flux per cell (m,), 0 for lost light; u and v broadcast."""
+    def _arrive(self, origin: int, u: Array, v: Array) -> tuple[Array, Array, dict[str, Array]]:
+        """Hits (m, 2) in pixels, flux per cell (m,), 0 for lost light, and losses (m,) by name.
+
+        ``u`` and ``v`` broadcast.
+        """
         rays, area = self._through(origin, u, v)
+        rays = rays._replace(flux=rays.flux * area)
         places, flux = np.zeros((len(rays.flux), 2)), np.empty(len(rays.flux))
-        self._train.hits(rays, places, flux)
-        lost = ~(np.abs(places) < _FAR).all(axis=1)  # also NaN
-        places[lost], flux[lost] = 0.0, 0.0
-        return places, flux * area
+        lost: dict[str, Array] = {}
+        self._train.hits(rays, places, flux, lost)
+        beside = ~(np.abs(places) < _FAR).all(axis=1)  # also NaN
+        lost["off_screen"] = np.where(beside, flux, 0.0)
+        places[beside], flux[beside] = 0.0, 0.0
+        return places, flux, lost
 
     def _through(self, origin: int, u: Array, v: Array) -> tuple[TracedRays, Array]:
         """Rays through points of the square, and the areas of the cells there."""
@@ -85,14 +149,22 @@ class Drawing(ABC):
             along = along_u * along_v
         x, y = (np.ravel(part) for part in self._outline.from_square(u, v))
         area = (self._outline.stretch(u, v) * along).ravel() * math.prod(self._width)
-        return self._train.lit(origin, x, y), area
+        return self._train.source.through(origin, x, y), area
 
     def _count(self, canvas: Canvas, rays: TracedRays) -> None:
         """Add light ray by ray."""
         tally = Tally(1, canvas.here.size)
-        self._train.walk(rays, tally)
+        self._train.follow(rays, tally)
         canvas.rays += len(rays.flux)
+        canvas.passed += float(tally.flux.sum() + tally.beside.sum())
+        for name, flux in tally.lost.items():
+            canvas.lose(name, flux)
         canvas.here += tally.flux.reshape(canvas.here.shape)
+
+
+def shifts(i: Index, j: Index) -> tuple[Array, Array]:
+    """Shifts in [0, 1) of the samples of cells: errors at an edge along the cells cancel."""
+    return (_STEP[0] * i + _STEP[1] * j) % 1, (_STEP[1] * i + _STEP[0] * j) % 1
 
 
 _BEYOND = 16.0  # distance in half-widths from which light counts as collimated: cells are equal

@@ -16,6 +16,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
 from workbench.geometry.body import check_body
+from workbench.geometry.surface import nets_of
 from workbench.progress import Steps, of_equal, within
 from workbench.scene import Scene
 
@@ -39,6 +40,7 @@ class CellImage:
     bound: float  # of the error ‖I − I_exact‖ / ‖I‖, from two levels
     cells: tuple[int, int]  # along x and y, of the finer level
     wanted: float  # requested accuracy
+    lost: Mapping[str, float]  # parts of the emitted flux, by keys of the light account
     sized: bool = False  # whether finer levels have more origins, as for an extended source
 
     def error(self, target: Array) -> tuple[float, float]:
@@ -64,10 +66,10 @@ def imaging(
     error of the finer one. The factor comes from three levels and is at most 4 (second order).
 
     A level has at most 16 rays for each of ``random_rays``, or 8 million, and at most 67 million.
-    Returns None if three levels need more, for several elements, or if no cell has light on the
-    receiver. Raises `Refused` if the lens is no solid body or may touch the screen.
+    Returns None if three levels need more, if a diffuser scatters the light, or if no cell has
+    light on the receiver. Raises `Refused` if the lens is no solid body or may touch the screen.
     """
-    if scene.is_train:
+    if scene.diffuser is not None:
         return None
     levels = Levels(scene, heights, pose)
     if not levels.possible:
@@ -94,7 +96,7 @@ def imaging(
     if not image.any():  # random rays may still find light
         return None
     irradiance = image / scene.receiver.pixel_measure
-    return CellImage(irradiance, bound, levels.cells(level), accuracy, levels.sized)
+    return CellImage(irradiance, bound, levels.cells(level), accuracy, drawing.lost, levels.sized)
 
 
 class Levels:
@@ -106,7 +108,7 @@ class Levels:
     def __init__(
         self, scene: Scene, heights: Mapping[str, Array], pose: Pose | None = None
     ) -> None:
-        scene.check_one_element("the image by cells")
+        scene.check_no_diffuser("the image by cells")
         check_body(scene, heights)
         lines = [
             (
@@ -149,6 +151,7 @@ class LinesDrawing:
 
     def __init__(self, lines: Sequence[tuple[float, Drawing]]) -> None:
         self._lines, self.rays = lines, 0
+        self.lost: dict[str, float] = {}
 
     def tracing(self, threads: int | None = None) -> Steps[Array]:
         """See `Drawing.tracing`."""
@@ -157,6 +160,8 @@ class LinesDrawing:
             steps = within(drawing.tracing(threads), partial(of_equal, len(self._lines), done))
             image = image + part * (yield from steps)
             self.rays += drawing.rays
+            for name, flux in drawing.lost.items():
+                self.lost[name] = self.lost.get(name, 0.0) + part * flux
         return np.asarray(image)
 
 
@@ -172,8 +177,9 @@ def _more(light: LightSource, level: int) -> float:
 
 def _first(scene: Scene, each: float) -> tuple[int, int]:
     """Cells along x and y of the first level, if one of the third takes so much work."""
-    # Where light is parallel, cells end where the polynomials of the face do.
-    spans = [n - p for n, p in zip(scene.optic.net_shape, scene.optic.degree, strict=True)]
+    # Where light is parallel, cells end where the polynomials of the finest face do.
+    nets = nets_of(scene).values()
+    spans = (max(net.shape[axis] - net.degree[axis] for net in nets) for axis in (0, 1))
     n_x, n_y = (count * -(-_ENOUGH // count) for count in spans)
     if (wanted := 16 * n_x * n_y * each) > _BEGIN:
         shrink = math.sqrt(_BEGIN / wanted)

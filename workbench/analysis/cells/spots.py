@@ -9,8 +9,8 @@ import math
 import numpy as np
 from scipy.ndimage import binary_dilation, binary_erosion
 
-from workbench.analysis.cells.drawing import Drawing
-from workbench.analysis.cells.triangles import Canvas, fill_spots
+from workbench.analysis.cells.drawing import Canvas, Drawing, shifts
+from workbench.analysis.cells.kernels import fill_spots
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.sources.even import in_disc, pairs
 from workbench.analysis.tracing.train import OpticalTrain
@@ -20,8 +20,7 @@ from workbench.scene import Scene
 _RAYS = 6  # of a spot, to its middle and the corners of a pentagon, for a quadratic map
 _CORNERS = 8  # of the outline of a spot at the first level
 _AT_ONCE, _FEWER = 1 << 15, 1 << 10  # spots traced together, and cells that are partly lost
-# Rays for a cell that is partly lost, and their shift from cell to cell.
-_SAMPLES, _STEP = 256, (0.7549, 0.5698)
+_SAMPLES = 256  # rays for a cell that is partly lost
 _WIDE = 2.0  # pixels; narrower spots leave gaps
 _LOOKS = 16  # spots along each axis at which widths are measured
 
@@ -43,6 +42,9 @@ class Spots(Drawing):
         self._rows = max(_AT_ONCE // cells[1] - 2, 4)  # of places traced together
         self._strips = [(0, first) for first in range(0, cells[0], self._rows)]
         self._rim = _rim(_CORNERS << level)
+        # Of the rays in the flux of the triangles of a spot.
+        self._weights = 2 / 3 * self._rim.mean(axis=0)
+        self._weights[0] += 1 / 3
 
     @classmethod
     def suit(cls, scene: Scene, train: OpticalTrain) -> bool:
@@ -50,7 +52,7 @@ class Spots(Drawing):
         if train.source.on_disc(*_places()) is None:
             return False
         some = cls(scene, train, (_LOOKS, _LOOKS))
-        places, flux = some._spots(some._u)
+        places, flux, _ = some._spots(some._u)
         lit = (flux > 0).all(axis=1)
         across = places[lit].max(axis=1) - places[lit].min(axis=1)
         return bool(lit.any()) and float(np.median(across.min(axis=1))) > _WIDE
@@ -61,7 +63,7 @@ class Spots(Drawing):
         # With a row on both sides: neighbours show whether a cell is partly lost.
         before, behind = max(first - 1, 0), min(last + 1, len(self._u))
         u = self._u[before:behind]
-        places, flux = self._spots(u)
+        places, flux, lost = self._spots(u)
         canvas.rays += flux.size
         inside = slice(first - before, last - before)
         lit = (flux > 0).reshape(len(u), len(self._v), -1)
@@ -69,20 +71,28 @@ class Spots(Drawing):
         rows = slice(inside.start * len(self._v), inside.stop * len(self._v))
         canvas_of = canvas.here, canvas.behind
         fill_spots(places[rows], flux[rows], whole.ravel(), self._rim, canvas_of)
+        for name, each in lost.items():
+            lost[name] = each[rows]
+        counted = ~part.ravel()[:, None] * self._weights
+        canvas.record(counted, flux[rows], lost)
         i, j = np.nonzero(part)
         for some in range(0, len(i), _FEWER):
             self._sample(canvas, first + i[some:][:_FEWER], j[some:][:_FEWER])
 
-    def _spots(self, u: Array) -> tuple[Array, Array]:
-        """Hits (m, 6, 2) of the rays of spots; each has the flux (m, 6) of its spot."""
-        rays = [self._arrive(origin, u[:, None], self._v) for origin in range(_RAYS)]
-        places, flux = (np.stack(parts, axis=1) for parts in zip(*rays, strict=True))
-        return places, flux * self._origins
+    def _spots(self, u: Array) -> tuple[Array, Array, dict[str, Array]]:
+        """Hits (m, 6, 2) of the rays of spots, and flux (m, 6) and losses as of the whole spot."""
+        places, flux, losses = zip(
+            *(self._arrive(origin, u[:, None], self._v) for origin in range(_RAYS)), strict=True
+        )
+        lost = {
+            name: np.stack([each[name] for each in losses], axis=1) * self._origins
+            for name in losses[0]
+        }
+        return np.stack(places, axis=1), np.stack(flux, axis=1) * self._origins, lost
 
     def _sample(self, canvas: Canvas, i: Index, j: Index) -> None:
         """Add the light of partly lost cells, ray by ray."""
-        # Shifted in each cell, so that errors are independent.
-        along_u, along_v = _STEP[0] * i + _STEP[1] * j, _STEP[1] * i + _STEP[0] * j
+        along_u, along_v = shifts(i, j)
         within = zip(*pairs(np.random.default_rng(0), _SAMPLES), strict=True)
         found = []
         for origin, (a, b) in enumerate(within, _RAYS):

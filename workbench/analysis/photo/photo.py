@@ -1,9 +1,9 @@
 """The image on the screen as a camera would see it, in colour.
 
 Each wavelength is traced by the independent check with the indices of the materials there: by
-cells, or by random rays for very many points of the source and for trains. The source has its size,
-and faces reflect as much as they do at these indices. What is left out: diffraction, light that is
-reflected within the lens, and the optics of the camera itself.
+cells, or by random rays for very many points of the source and behind a diffuser. The source has
+its size, and faces reflect as much as they do at these indices. What is left out: diffraction,
+light that is reflected within the lens, and the optics of the camera itself.
 """
 
 import math
@@ -201,7 +201,7 @@ class _Tracer:
 
     def trace(self, scene: Scene) -> Steps[Array]:
         """Part of the emitted flux in each pixel, (n_y, n_x)."""
-        levels = None if scene.is_train else Levels(scene, self._heights)
+        levels = None if scene.diffuser is not None else Levels(scene, self._heights)
         self.by_cells = levels is not None and levels.possible
         self._traced += 1
         if levels is None or not levels.possible:

@@ -43,7 +43,6 @@ class Crossings(NamedTuple):
     position: Array  # (m, 3), places on the face; anything for rays without flux
     normal: Array  # (m, 3), unit normals there, to the side to which the light goes
     flux: Array  # (m,), flux of each ray that meets the face, and 0 for the others
-    missed: float  # flux of the rays that do not meet it
 
 
 class RandomSource(Protocol):
@@ -87,8 +86,8 @@ class FaceLight(Protocol):
         """
         ...
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
-        """Rays of one origin through places of the face, or of another before or behind it.
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
+        """Rays of one origin through places of the plane of the aperture.
 
         Parameters
         ----------
@@ -96,8 +95,6 @@ class FaceLight(Protocol):
             Which of the origins.
         x, y : ndarray, shape (m,)
             Places, scene units.
-        z : ndarray, shape (m,), or float
-            How far they are over the plane of the face.
 
         Returns
         -------
@@ -175,21 +172,17 @@ class TracedFace(Protocol):
         """
         ...
 
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """Rays of one origin to places of the face, if nothing is before it.
-
-        Their flux is that per area of the plane across the axis; see `FaceLight.through`.
-        """
-        ...
-
 
 class Boundary(Protocol):
     """What a face does to the light that meets it."""
 
+    onwards: int
+    """1 if light goes on through the face, -1 if it goes back."""
+
     def turn(
         self, rays: TracedRays, crossings: Crossings
-    ) -> tuple[TracedRays, Mapping[str, float]]:
-        """The light that goes on, and the flux that is lost, by kinds of the light account."""
+    ) -> tuple[TracedRays, Mapping[str, Array]]:
+        """The light that goes on, and the flux (m,) that is lost, by kinds of the light account."""
         ...
 
 
@@ -219,15 +212,15 @@ class Detector(Protocol):
         """
         ...
 
-    def in_the_way(self, rays: TracedRays, begin: float) -> Mask:
+    def in_the_way(self, rays: TracedRays, length: Array) -> Mask:
         """Which rays pass through the first of the screens before they are where they are.
 
         Parameters
         ----------
         rays : TracedRays
             The rays.
-        begin : float
-            The z of the scene where they begin; minus infinity for those from far away.
+        length : ndarray, shape (m,)
+            Length of the way that each has come.
 
         Returns
         -------

@@ -23,6 +23,7 @@ from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import (
+    CutSurface,
     FlatFace,
     FrontFace,
     LaterFace,
@@ -32,6 +33,7 @@ from workbench.analysis.tracing.surfaces import (
     fixed_surface,
 )
 from workbench.arrays import Array
+from workbench.geometry.ball_cutter import Raster
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Diffuser, Element, Lens, Mirror, Scene
@@ -94,9 +96,11 @@ class OpticalTrain:
         seed: int,
         pose: Pose,
         receivers: Sequence[AnyReceiver],
+        cut: Raster | None = None,
     ) -> "OpticalTrain":
         """Make the train of a scene with receivers of one kind; for the parameters see `Trace`.
 
+        ``cut`` is what a cutter leaves of the exit face of the last designed element.
         Raises `Refused` if one of several elements is out of its place, or a receiver may touch the
         last one.
         """
@@ -117,6 +121,9 @@ class OpticalTrain:
                 own = _DESIGNED[type(element)](element, heights, pose, stands)
             else:
                 own = _FIXED[type(element)](element, stands)
+            if cut is not None and number == scene.designed_number:
+                *before, (face, boundary) = own
+                own = [*before, (CutSurface(face, cut, element.front_z), boundary)]
             place = _place(element, element.front_z if designed else element.position[2])
             relative = np.eye(3) if number == 0 else turn.T @ own_turn
             faces += _placed(own, relative, (place - aperture) @ turn, max(element.half_width))
@@ -134,52 +141,62 @@ class OpticalTrain:
             names,
         )
 
+    @property
+    def missed(self) -> str:
+        """Key in the light account of light that does not come to the aperture."""
+        return key_of(self.faces[0][0].missed, self.names[0])
+
     def lit_by(self, source: LightSource) -> "OpticalTrain":
         """The same elements with another source."""
         return OpticalTrain(source, self.faces, self.detector, self.names)
-
-    def lit(self, origin: int, x: Array, y: Array) -> TracedRays:
-        """Rays of one origin to places of the first face; see `TracedFace.lit`."""
-        return self.faces[0][0].lit(self.source, origin, x, y)
 
     def walk(self, rays: TracedRays, tally: Tally) -> None:
         """Follow rays from the source to the receiver, and add their light to a tally."""
         flux = float(rays.flux.sum())
         tally.emitted += flux * (1 + self.source.beside)
         if self.source.beside:
-            missed = key_of(self.faces[0][0].missed, self.names[0])
-            tally.lose(missed, flux * self.source.beside)
-        for some in rays.split(_AT_ONCE):
-            self._follow(some, tally)
+            tally.lose(self.missed, flux * self.source.beside)
+        self.follow(rays, tally)
 
-    def hits(self, rays: TracedRays, places: Array, flux: Array) -> None:
+    def hits(
+        self, rays: TracedRays, places: Array, flux: Array, lost: dict[str, Array] | None = None
+    ) -> None:
         """Follow rays to the first of the screens.
 
         `places`, `flux`: get column and row in pixels where they meet the screen, which is not
         finite for those that never do, and their flux there. A ray that is lost has no flux and any
-        place.
+        place. `lost` gets the flux that each ray loses, by keys of the light account.
         """
         first = 0
         for some in rays.split(_AT_ONCE):
-            arrived = self.leaving(some)
+            arrived, losses = self.leaving(some)
             last = first + len(some.flux)
             self.detector.hits(arrived, places[first:last])
             flux[first:last] = arrived.flux
+            if lost is not None:
+                for name, each in losses.items():
+                    lost.setdefault(name, np.zeros(len(rays.flux)))[first:last] = each
             first = last
 
-    def _follow(self, rays: TracedRays, tally: Tally) -> None:
-        self.detector.count(self.leaving(rays, tally), tally.flux, tally.beside)
+    def follow(self, rays: TracedRays, tally: Tally) -> None:
+        """Follow rays from the aperture to the receiver; a tally gets where they go."""
+        for some in rays.split(_AT_ONCE):
+            arrived, losses = self.leaving(some)
+            for name, flux in losses.items():
+                tally.lose(name, float(flux.sum()))
+            self.detector.count(arrived, tally.flux, tally.beside)
 
-    def leaving(self, rays: TracedRays, tally: Tally | None = None) -> TracedRays:
-        """The rays behind all faces; a tally gets what is lost."""
+    def leaving(self, rays: TracedRays) -> tuple[TracedRays, dict[str, Array]]:
+        """The rays behind all faces, and the flux (m,) that each loses, by key of the loss."""
+        losses: dict[str, Array] = {}
         for (face, boundary), name in zip(self.faces, self.names, strict=True):
             crossings = face.meet(rays)
+            missed = {face.missed: rays.flux - crossings.flux}
             rays, lost = boundary.turn(rays, crossings)
-            if tally is not None:
-                tally.lose(key_of(face.missed, name), crossings.missed)
-                for kind, flux in lost.items():
-                    tally.lose(key_of(kind, name), flux)
-        return rays
+            for kind, flux in (*missed.items(), *lost.items()):
+                key = key_of(kind, name)
+                losses[key] = losses[key] + flux if key in losses else flux
+        return rays, losses
 
 
 class _Stands(NamedTuple):

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from workbench.analysis.tracing.elements import Crossings, TracedRays
+from workbench.arrays import Array
 
 
 class MirrorBoundary:
@@ -14,17 +15,18 @@ class MirrorBoundary:
     the light account.
     """
 
+    onwards = -1
+
     def __init__(self, reflectance: float) -> None:
         self._reflectance = reflectance
 
     def turn(
         self, rays: TracedRays, crossings: Crossings
-    ) -> tuple[TracedRays, Mapping[str, float]]:
+    ) -> tuple[TracedRays, Mapping[str, Array]]:
         """The reflected light, and what is absorbed; see `Boundary.turn`."""
         normal = np.where(crossings.flux[:, None] > 0, crossings.normal, 0.0)
         along = np.einsum("mk,mk->m", *np.broadcast_arrays(rays.direction, normal))
         direction = rays.direction - 2 * along[:, None] * normal
-        absorbed = (1 - self._reflectance) * float(crossings.flux.sum())
-        lost = {"absorbed_mirror": absorbed} if absorbed else {}
         flux = self._reflectance * crossings.flux
+        lost = {"absorbed_mirror": crossings.flux - flux} if self._reflectance < 1 else {}
         return TracedRays(crossings.position, np.ascontiguousarray(direction), flux), lost

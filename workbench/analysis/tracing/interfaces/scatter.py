@@ -20,15 +20,17 @@ class ScatterBoundary:
     account.
     """
 
+    onwards = 1
+
     def __init__(self, diffuser: Diffuser) -> None:
         self._transmittance, self._scatter = diffuser.transmittance, diffuser.scatter
 
     def turn(
         self, rays: TracedRays, crossings: Crossings
-    ) -> tuple[TracedRays, Mapping[str, float]]:
+    ) -> tuple[TracedRays, Mapping[str, Array]]:
         """The scattered light, and what is absorbed; see `Boundary.turn`."""
         flux = self._transmittance * crossings.flux
-        lost = {"absorbed_diffuser": float(crossings.flux.sum() - flux.sum())}
+        lost = {"absorbed_diffuser": crossings.flux - flux}
         if not len(flux):
             return TracedRays(crossings.position, rays.direction, flux), lost
         first = np.concatenate([rays.position[0], rays.direction[0]])

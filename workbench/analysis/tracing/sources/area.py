@@ -58,9 +58,9 @@ class AreaLight(Unspread):
             rays = self._between(points, x, y)
             yield rays._replace(flux=rays.flux * area)
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        rays = self._between(self.places[origin : origin + 1], x, y, z)
+        rays = self._between(self.places[origin : origin + 1], x, y)
         return rays._replace(flux=rays.flux / self.origins)
 
     def _even(self, count: int) -> tuple[Array, Array]:
@@ -75,9 +75,9 @@ class AreaLight(Unspread):
         places = np.column_stack([r_x * x, r_y * y, np.zeros_like(x)]) + self._source.position
         return self._pose.to_lens(places, self._lens.front_z)
 
-    def _between(self, points: Array, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def _between(self, points: Array, x: Array, y: Array) -> TracedRays:
         """Rays from points to places of the face, with their flux per area of it."""
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         way = position - points
         distance = np.linalg.norm(way, axis=1)
         way /= distance[:, None]

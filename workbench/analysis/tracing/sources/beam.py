@@ -85,9 +85,9 @@ class BeamLight:
             position = np.column_stack([x, y, np.zeros_like(x)])
             yield TracedRays(position, ways, self._density(position, ways) * by_x * by_y)
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         ways = self._ways[origin : origin + 1]
         return TracedRays(position, ways, self._density(position, ways) / self.origins)
 

@@ -39,7 +39,7 @@ class CollimatedLight(Unspread):
             position[:, 0], position[:, 1] = self._outline.evenly(a, b)
             yield TracedRays(position, self._direction, np.ones(len(a)))
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         return TracedRays(position, self._direction, np.ones_like(x))

@@ -67,9 +67,9 @@ class PhotometricLight(Unspread):
             return near_places(a, b, self._point[None], self._half_width)
         return *self._outline.evenly(a, b), self._outline.area
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         way = position - self._point
         square = np.einsum("ij,ij->i", way, way)
         direction = way / np.sqrt(square)[:, None]

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.kernels import emit
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
-from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
@@ -54,12 +54,12 @@ class PointLight(Unspread):
             emit(self._cones, from_point % cones, a, b, self._upwards, *rays)
             yield rays
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays of a point through places of the entrance face; see `FaceLight.through`.
 
         Intensity is 1 / 2π, so that an even cone has the power of its versine.
         """
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         direction = position - self.places[origin]
         distance = np.linalg.norm(direction, axis=1)
         direction /= distance[:, None]

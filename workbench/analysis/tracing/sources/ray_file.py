@@ -66,9 +66,9 @@ class RayFileLight(Unspread):
             position[~come], way[~come] = [self._beside, 0.0, 0.0], [0.0, 0.0, 1.0]
             yield TracedRays(position, way, self._found.flux[some].astype(np.float64))
 
-    def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
+    def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Light of one of the points that stand for the rays; see `FaceLight.through`."""
-        position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
+        position = np.column_stack([x, y, np.zeros_like(x)])
         way = position - self.places[origin]
         square = np.einsum("ij,ij->i", way, way)
         direction = way / np.sqrt(square)[:, None]

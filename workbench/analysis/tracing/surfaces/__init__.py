@@ -1,5 +1,6 @@
 """Faces that rays meet: a file for each kind."""
 
+from workbench.analysis.tracing.surfaces.cut import CutSurface
 from workbench.analysis.tracing.surfaces.fixed import ConicSurface, fixed_surface
 from workbench.analysis.tracing.surfaces.flat import FlatFace
 from workbench.analysis.tracing.surfaces.moved import MovedFace
@@ -8,6 +9,7 @@ from workbench.analysis.tracing.surfaces.spline import FrontFace, LaterFace, Spl
 
 __all__ = [
     "ConicSurface",
+    "CutSurface",
     "FlatFace",
     "FrontFace",
     "LaterFace",

@@ -1,6 +1,6 @@
 """A face as a ball cutter leaves it, with its ridges."""
 
-from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedFace, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedFace, TracedRays
 from workbench.arrays import Array
 from workbench.geometry.ball_cutter import Raster
 
@@ -31,7 +31,3 @@ class CutSurface:
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
         """Where rays come back to the face that was to be cut; see `TracedFace.met_again`."""
         return self._designed.met_again(rays, onwards)
-
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """Rays to places of the face that was to be cut; see `TracedFace.lit`."""
-        return self._designed.lit(source, origin, x, y)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedFace, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedFace, TracedRays
 from workbench.analysis.tracing.surfaces.flat import FlatFace
 from workbench.arrays import Array, Mask
 from workbench.geometry.outlines import Outline
@@ -65,22 +65,11 @@ class SagSurface(ABC):
         # Rays that do not meet it get the origin.
         place = np.where(hit[:, None], place + self._vertex, 0.0)
         normal = np.where(hit[:, None], normal, 0.0)
-        return Crossings(place, normal, flux, float((rays.flux - flux).sum()))
+        return Crossings(place, normal, flux)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
         """Nowhere: only the designed face is searched; see `TracedFace.met_again`."""
         return np.full((len(rays.flux), 2), np.nan)
-
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """See `TracedFace.lit`."""
-        sag, along_x, along_y = self.shape(x, y)
-        rays = source.through(origin, x, y, self._z + sag)
-        d_x, d_y, d_z = rays.direction.T
-        lean = 1 - (along_x * d_x + along_y * d_y) / d_z
-        flux = rays.flux * lean.clip(min=0)
-        if self._aperture_z is not None:
-            flux = np.where(self._through_aperture(rays, self._aperture_z), flux, 0.0)
-        return rays._replace(flux=flux)
 
     def _normal(self, place: Array) -> Array:
         _, along_x, along_y = self.shape(place[:, 0], place[:, 1])

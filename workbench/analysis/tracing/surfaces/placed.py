@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedFace, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedFace, TracedRays
 from workbench.arrays import Array
 
 # Steps back along a ray, over the size of the element, by rounding.
@@ -38,16 +38,11 @@ class PlacedSurface:
             found.position @ self._turn.T + self._shift,
             np.ascontiguousarray(found.normal @ self._turn.T),
             flux,
-            found.missed + float((found.flux - flux).sum()),
         )
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
         """See `TracedFace.met_again`; x and y as the element counts them."""
         return self._face.met_again(self._seen(rays), onwards)
-
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """Refuse: light of the source does not come to it straight; see `TracedFace.lit`."""
-        raise NotImplementedError("light comes to this face through other elements")
 
     def _seen(self, rays: TracedRays) -> TracedRays:
         """Rays in the coordinates of the element."""

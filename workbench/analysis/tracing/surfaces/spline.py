@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy.interpolate import BSpline
 
-from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet, surface
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
@@ -69,9 +69,9 @@ class SplineFace:
         position, normal = np.zeros_like(rays.position), np.zeros_like(rays.position)
         flux = np.empty_like(rays.flux)
         place = rays.position - [0.0, 0.0, self._level]
-        missed = meet(self._spline, place, rays.direction, rays.flux, position, normal, flux)
+        meet(self._spline, place, rays.direction, rays.flux, position, normal, flux)
         position[:, 2] += np.where(flux > 0, self._level, 0.0)
-        return Crossings(position, normal, flux, missed)
+        return Crossings(position, normal, flux)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
         """See `TracedFace.met_again`: places along each ray, two for each knot span up to a limit.
@@ -116,7 +116,7 @@ class SplineFace:
     def _within(self, found: Crossings, place: Array) -> Crossings:
         """Crossings of rays of which some places (m, 2 or 3) are inside the outline."""
         flux = np.where(self._radius(place) <= _RIM, found.flux, 0.0)
-        return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
+        return found._replace(flux=flux)
 
     def _radius(self, place: Array) -> Array:
         """Parts of the way from the axis to the rim at places; of ellipses their squares."""
@@ -137,15 +137,6 @@ class SplineFace:
             else:
                 to_rim = np.fmin(*((1 - np.sign(slope) * scaled).clip(min=0) / np.abs(slope)).T)
         return np.asarray(np.fmin(to_end, to_rim).clip(min=0))
-
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """See `TracedFace.lit`."""
-        z, slope_x, slope_y = self.shape_at(x, y)
-        rays = source.through(origin, x, y, z)
-        # It takes in more or less light than the plane z = const, as it leans.
-        d_x, d_y, d_z = rays.direction.T
-        lean = 1 - (d_x * slope_x + d_y * slope_y) / d_z
-        return rays._replace(flux=rays.flux * lean.clip(min=0))
 
 
 class LaterFace(SplineFace):
@@ -172,12 +163,6 @@ class FrontFace(SplineFace):
         # What comes in from beside, over the rim, meets no front.
         found = super().meet(rays._replace(position=rays.position - back * way))
         return self._inside(self._within(found, self._crossing(rays)))
-
-    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
-        """See `TracedFace.lit`."""
-        rays = super().lit(source, origin, x, y)
-        through = self._radius(self._crossing(rays)) <= _RIM
-        return rays._replace(flux=np.where(through, rays.flux, 0.0))
 
     @staticmethod
     def _crossing(rays: TracedRays) -> Array:

@@ -66,16 +66,10 @@ def meet(  # type: ignore[no-untyped-def]
         Get where rays meet the face, and its upper unit normal there; the columns of other rays are
         left as they are.
     met : array, shape (m,)
-        Gets the flux of the rays that meet it, 0 for the others.
-
-    Returns
-    -------
-    missed : float
-        Flux of rays that leave the lens at its side.
+        Gets the flux of the rays that meet it, 0 for the others, which leave the lens at its side.
     """
     basis = np.empty((2, 8))
     step = int(direction.shape[0] > 1)
-    missed = 0.0
     for ray in range(len(flux)):
         met[ray] = 0.0
         if flux[ray] == 0:
@@ -86,7 +80,6 @@ def meet(  # type: ignore[no-untyped-def]
         if d_x != 0 or d_y != 0:
             rise = _meet(spline, x, y, z, d_x / d_z, d_y / d_z, basis)
             if rise == -math.inf:
-                missed += flux[ray]
                 continue
             x += d_x / d_z * rise
             y += d_y / d_z * rise
@@ -95,7 +88,6 @@ def meet(  # type: ignore[no-untyped-def]
         n_z = 1 / math.sqrt(slope_x * slope_x + slope_y * slope_y + 1)
         place[ray, 0], place[ray, 1], place[ray, 2] = x, y, height
         normal[ray, 0], normal[ray, 1], normal[ray, 2] = -slope_x * n_z, -slope_y * n_z, n_z
-    return missed
 
 
 @jit(error_model="numpy")
