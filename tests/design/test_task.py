@@ -104,7 +104,9 @@ def session(make_scene, image):
 
 
 def edited(session, **target):
-    scene = session.scene.with_target(session.scene.target.altered(**target))
+    first = session.scene.images[0]
+    first = first.model_copy(update={"target": first.target.altered(**target)})
+    scene = session.scene.with_images([first])
     return with_task(session, scene, Path(session.scene.image).parent)
 
 

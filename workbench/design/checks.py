@@ -94,8 +94,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     error = relative_error(state, target)
     if error < _HIGH or not has_converged(result.ended):
         return None
-    bends = scene.run.smoothness, scene.run.min_radius, scene.run.min_tool_radius
-    limited = state.shortfall or state.account.advice(scene) or grazed(scene) or any(bends)
+    limited = state.shortfall or state.account.advice(scene) or grazed(scene) or scene.run.bends
     if limited or any(any(Blur.of(image).widths) for image in scene.single):
         return None
     shape = scene.optic.net_shape

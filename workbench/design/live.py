@@ -224,6 +224,4 @@ def asks_for_another_lens(before: Session, after: Session) -> bool:
 
 def _wanted(scene: Scene) -> tuple[object, ...]:
     """What tells which lens is the best one."""
-    run = scene.run
-    shop = run.smoothness, run.min_radius, run.min_tool_radius
-    return asked_of_the_lens(scene), *shop
+    return asked_of_the_lens(scene), scene.run.bends

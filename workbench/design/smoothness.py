@@ -52,10 +52,7 @@ class Smoothness:
     @classmethod
     def of(cls, scene: Scene, target: Array, device: torch.device) -> "Smoothness | None":
         """The penalty that a scene asks for, if it asks for one."""
-        run = scene.run
-        if all(asked is None for asked in (run.smoothness, run.min_radius, run.min_tool_radius)):
-            return None
-        return cls(scene, target, device)
+        return cls(scene, target, device) if scene.run.bends else None
 
     def penalty(self, heights: Mapping[str, Tensor]) -> Tensor:
         """What is added to the square of the image's relative error.

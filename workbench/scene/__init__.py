@@ -4,7 +4,7 @@ Field by field this is the scene file (``*.json``), so a scene that exists is a 
 possible: whatever cannot be built, traced or made is refused here, with the path of the field.
 """
 
-from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.faces import LARGEST_NET, ConicFace, PlaneFace
 from workbench.scene.fields import LENGTH, AutoNet, FieldDescription, Measure
 from workbench.scene.image import (
@@ -42,7 +42,15 @@ from workbench.scene.sources import (
     Source,
     UniformProfile,
 )
-from workbench.scene.spline_face import Base, Face, FlatBase, PlacedBase, SphereBase, SplineFace
+from workbench.scene.spline_face import (
+    Base,
+    Face,
+    FlatBase,
+    PlacedBase,
+    PlacedFace,
+    SphereBase,
+    SplineFace,
+)
 from workbench.scene.target import (
     BallTarget,
     Finish,

@@ -5,7 +5,7 @@ from abc import abstractmethod
 from collections.abc import Mapping
 from functools import cache
 from itertools import product
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -17,20 +17,11 @@ from workbench.scene import limits
 from workbench.scene.fields import LENGTH, PLACE, AutoNet, FieldDescription, about, describe
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import Part, Positive
-from workbench.scene.spline_face import Face, PlacedBase, SplineFace, check_net
+from workbench.scene.spline_face import Face, PlacedBase, PlacedFace, SplineFace, check_net
 from workbench.scene.turning import Place, Standing, Tilt
 
 DEFAULT_WAVELENGTH = 0.5876
 """Vacuum wavelength in µm of light whose source does not state one: the helium d line."""
-
-
-class PlacedFace(NamedTuple):
-    """A face of an element."""
-
-    name: str  # its id: name of the element, "front", "back" or "face", as in ``lens.back``
-    path: str  # from the element, as in ``faces[1]``
-    face: Face
-    z: float  # of its vertex, scene units
 
 
 class Element(Standing, Part):
@@ -351,10 +342,7 @@ class Element(Standing, Part):
 
     @property
     def known_shape(self) -> tuple[int, int] | None:
-        """Numbers of control points along x and y: as given, or as the program has chosen.
-
-        None where it has yet to choose, or nothing is designed.
-        """
+        """Numbers of control points along x and y; None where they have yet to be chosen."""
         if not self.designed:
             return None
         points = self.control_points

@@ -19,12 +19,11 @@ from workbench.errors import Refused
 from workbench.materials import refractive_index
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
-from workbench.scene.lens_losses import LENS_LOSSES
-from workbench.scene.losses import Loss, TakesLight
+from workbench.scene.losses import LENS_LOSSES, Loss, TakesLight
 from workbench.scene.part import NonNegative, Part, Positive
-from workbench.scene.spline_face import Face
+from workbench.scene.spline_face import Face, PlacedFace
 
 
 class CustomIndex(Part):

@@ -7,12 +7,12 @@ from pydantic import ConfigDict, Field
 from workbench.arrays import Array
 from workbench.messages import Message
 from workbench.scene import limits
-from workbench.scene.element import Element, PlacedFace
+from workbench.scene.element import Element
 from workbench.scene.faces import PlaneFace
 from workbench.scene.fields import ANGLE, LENGTH, about
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import Kinds, Part, Positive
-from workbench.scene.spline_face import Face
+from workbench.scene.spline_face import Face, PlacedFace
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene

@@ -123,6 +123,10 @@ class Stage(Part):
     ] = None
 
 
+RADII = ("min_radius", "min_tool_radius")
+"""Fields of a run that are radii of the faces."""
+
+
 class RunSettings(Part):
     """What every design run has.
 
@@ -185,6 +189,12 @@ class RunSettings(Part):
         Choices((("cpu", "Processor"), ("cuda", "Graphics card (CUDA)"))),
         about("Computes on", "The graphics card needs a CUDA device and a PyTorch built for it."),
     ] = "cpu"
+
+    @property
+    def bends(self) -> dict[str, float]:
+        """What is asked of the bends of the faces, by the names of fields, where it is."""
+        asked = {name: getattr(self, name) for name in ("smoothness", *RADII)}
+        return {name: value for name, value in asked.items() if value is not None}
 
     @property
     def rate(self) -> float:

@@ -335,3 +335,12 @@ def _read_heights(data: bytes) -> Array:
 
 
 Face = Annotated[FixedFace | SplineFace, Kinds("shape", title="Shape")]
+
+
+class PlacedFace(NamedTuple):
+    """A face of an element."""
+
+    name: str  # its id: name of the element, "front", "back" or "face", as in ``lens.back``
+    path: str  # from the element, as in ``faces[1]``
+    face: Face
+    z: float  # of its vertex, scene units

@@ -1,18 +1,16 @@
 """The scene: an optical train with a source and images, and how to design it."""
 
-import json
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.messages import Message
-from workbench.refusals import refusal
-from workbench.scene import limits, versions
-from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
+from workbench.scene import limits
+from workbench.scene.element import Element
 from workbench.scene.fields import about
 from workbench.scene.image import (
     MOST_IMAGES,
@@ -26,33 +24,27 @@ from workbench.scene.image import (
 from workbench.scene.lens import Lens
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
-from workbench.scene.part import Kinds, Part
-from workbench.scene.receiver import AnyReceiver
+from workbench.scene.part import Kinds
 from workbench.scene.receivers import Receiver
-from workbench.scene.run import AutoRun, Filter, GaussianFilter, Run, stage_scenes
+from workbench.scene.run import RADII, AutoRun, Filter, GaussianFilter, Run, stage_scenes
+from workbench.scene.source import Line, check_spectrum, lines_of
 from workbench.scene.sources import Source
 from workbench.scene.spline_face import SplineFace
 from workbench.scene.target import Target
 from workbench.scene.train import (
-    Line,
+    Train,
+    check_bends,
     check_elements,
     check_receivers,
-    check_spectrum,
-    incoming,
-    leaving,
-    lines_of,
     too_many,
 )
+from workbench.scene.versions import SceneFile
 
 Unit = Literal["mm", "cm", "m", "inch"]
 AnyElement = Annotated[Lens | Mirror | Diffuser, Kinds("kind")]
 
 
-class _Versioned(Part, extra="ignore"):
-    version: Literal[1, 2, 3] = 1
-
-
-class Scene(Part):
+class Scene(Train, SceneFile):
     """An optical train with a source and images, and how to design it.
 
     Only elements, source and images are required.
@@ -135,8 +127,8 @@ class Scene(Part):
         """Refuse parts that do not go together, and stages that are not possible."""
         check_spectrum(self)
         check_elements(self)
+        check_bends(self)
         self.source.measured_in(self.unit)
-        self._check_bends()
         if self.is_train:
             source, first = self.entrance
             source.check_before(first)
@@ -146,8 +138,7 @@ class Scene(Part):
                     of_designed_element(focused).check()
             return
         optic = self.optic
-        radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
-        asked = [(f"run.{name}", radius) for name, radius in radii.items() if radius is not None]
+        asked = [(f"run.{name}", r) for name, r in self.run.bends.items() if name in RADII]
         limits.check_lengths(asked, optic.half_width, limits.FAR)
         self.source.check_before(optic)
         if len(self.images) > MOST_IMAGES:
@@ -158,94 +149,10 @@ class Scene(Part):
         check_regions(self.regions)
         stage_scenes(self)
 
-    def _check_bends(self) -> None:
-        """Refuse a run that asks for bends of faces that have none between their edges."""
-        for name in ("smoothness", "min_radius", "min_tool_radius"):
-            value = getattr(self.run, name)
-            for focused in self.focused:
-                optic = focused.optic
-                if value is not None and optic.free and min(optic.degree) < 2:
-                    raise Refused(
-                        f"run.{name}",
-                        Message(
-                            "{value:g} is about curvature, and faces of degree 1 are flat between "
-                            "edges; {field} of at least 2",
-                            value=value,
-                            field=f"{focused.face_path()}.degree",
-                        ),
-                    )
-
-    @property
-    def designed_numbers(self) -> tuple[int, ...]:
-        """Indices of the elements that the design shapes, in the order of the light."""
-        return tuple(number for number, each in enumerate(self.elements) if each.designed)
-
-    @property
-    def designed_number(self) -> int:
-        """Index of the last element of which the design shapes a face."""
-        numbers = self.designed_numbers
-        return ([number for number in numbers if self.elements[number].free] or numbers)[-1]
-
-    @property
-    def fixed_faces(self) -> frozenset[str]:
-        """Ids of the B-spline faces that the design leaves as they are."""
-        return frozenset(
-            placed.name for element in self.elements for placed, _ in element.fixed_faces
-        )
-
-    @property
-    def focused(self) -> "tuple[Scene, ...]":
-        """The scene for each element that the design shapes, the other elements left undesigned."""
-        numbers = self.designed_numbers
-        if len(numbers) == 1:
-            return (self,)
-        fixed = [each.undesigned if each.designed else each for each in self.elements]
-        return tuple(
-            self.model_copy(update={"elements": (*fixed[:k], self.elements[k], *fixed[k + 1 :])})
-            for k in numbers
-        )
-
-    @property
-    def optic(self) -> Element:
-        """The last element that the design shapes, as the source's light meets it."""
-        return self.elements[self.designed_number].lit(self.source.wavelength)
-
-    @property
-    def optics(self) -> tuple[Element, ...]:
-        """All elements that the design shapes, as the source's light meets them."""
-        return tuple(self.elements[k].lit(self.source.wavelength) for k in self.designed_numbers)
-
-    def focused_on(self, name: str) -> "Scene":
-        """The one of `focused` for an element, by its name or by the id of one of its faces.
-
-        The scene itself if the design shapes no element of that name.
-        """
-        name = name.partition(".")[0]
-        return next((each for each in self.focused if each.optic.name == name), self)
-
-    def face_in_words(self, face: str) -> Message:
-        """What a designed face is called within a sentence, by its id."""
-        optic = self.focused_on(face).optic
-        words = Message(optic.face_in_words(face))
-        if len(self.designed_numbers) == 1:
-            return words
-        return Message("{face} of {element}", face=words, element=optic.name)
-
-    @property
-    def first(self) -> Element:
-        """The element that light meets first: its outline is the aperture of all light."""
-        return self.elements[0].lit(self.source.wavelength)
-
     @property
     def lines(self) -> tuple[Line, ...]:
         """Its light line by line: an image is the sum over `Line.part` times that of each."""
         return lines_of(self)
-
-    @property
-    def behind(self) -> tuple[Element, ...]:
-        """The elements behind the designed one, as the source's light meets them."""
-        elements = self.elements[self.designed_number + 1 :]
-        return tuple(each.lit(self.source.wavelength) for each in elements)
 
     @property
     def entrance(self) -> tuple[Source, Element]:
@@ -253,50 +160,9 @@ class Scene(Part):
         first = self.first
         return seen_by(self.source, first), first.straightened
 
-    @property
-    def ways(self) -> tuple[Array, ...]:
-        """Unit vectors (3,) along which light comes to the elements; see `train.incoming`."""
-        return incoming(self.source, self.elements)
-
-    def onwards(self, receiver: AnyReceiver) -> int:
-        """1 if light comes to a receiver along its own +z, -1 if it comes against it."""
-        if receiver.turn is not None:
-            return 1
-        way = leaving(self.source, self.elements, receiver)
-        return 1 if way @ receiver.across > 0 else -1
-
-    def with_optic(self, optic: Element) -> Self:
-        """Return the scene with another element in place of `optic`, which goes with all else."""
-        return self.with_element(self.designed_number, optic)
-
-    def with_element(self, number: int, element: Element) -> Self:
-        """Return the scene with another element in place of the one with an index."""
-        elements: list[Element] = list(self.elements)
-        elements[number] = element.lit(DEFAULT_WAVELENGTH)
-        return self.model_copy(update={"elements": tuple(elements)})
-
     def with_images(self, images: Iterable[Image]) -> Self:
         """Return the scene with other images."""
         return self.model_copy(update={"images": tuple(images)})
-
-    @property
-    def optic_path(self) -> str:
-        """Path of `optic` in the scene."""
-        return f"elements[{self.designed_number}]"
-
-    def face_path(self, name: str | None = None) -> str:
-        """Path of a face in the scene, by its id; by default that of the last face of `optic`."""
-        number, placed = self._placed(name or self.optic.designed_face)
-        return f"elements[{number}].{placed.path}"
-
-    def _placed(self, face: str) -> tuple[int, PlacedFace]:
-        """Index of the element of a face, and where the face stands, by its id."""
-        return next(
-            (number, placed)
-            for number, element in enumerate(self.elements)
-            for placed in element.placed_faces
-            if placed.name == face
-        )
 
     @property
     def receiver(self) -> Receiver:
@@ -305,20 +171,13 @@ class Scene(Part):
 
     def with_receiver(self, receiver: Receiver) -> Self:
         """Return the scene with another receiver of the first image."""
-        return self._with_image(receiver=receiver)
+        first, *others = self.images
+        return self.with_images((first.model_copy(update={"receiver": receiver}), *others))
 
     @property
     def target(self) -> Target:
         """Target of the first image."""
         return self.images[0].target
-
-    def with_target(self, target: Target) -> Self:
-        """Return the scene with another target of the first image."""
-        return self._with_image(target=target)
-
-    def _with_image(self, **changes: Any) -> Self:
-        first, *others = self.images
-        return self.with_images((first.model_copy(update=changes), *others))
 
     @property
     def receivers(self) -> tuple[Receiver, ...]:
@@ -413,10 +272,6 @@ class Scene(Part):
         update = {"source": self.source.carrying(files), "run": run, "elements": tuple(elements)}
         return self.model_copy(update=update)
 
-    def element_of(self, face: str) -> Element:
-        """Return the element of a face, by the id of the face."""
-        return self.elements[self._placed(face)[0]]
-
     def with_fixed_heights(self, face: str, data: bytes) -> Self:
         """Return the scene with the content of a file of heights of a fixed face, by its id."""
         number, placed = self._placed(face)
@@ -474,31 +329,3 @@ class Scene(Part):
         if unit == self.unit:
             return self
         return self.scaled(units.ratio(self.unit, unit)).altered(unit=unit)
-
-    @classmethod
-    def from_json(cls, text: str | bytes) -> Self:
-        """Read a scene from the text of a scene file.
-
-        Raises `Refused` with the path of the field, the value and what is allowed.
-        """
-        try:
-            version = _Versioned.model_validate_json(text).version
-            if version == 3:
-                return cls.model_validate_json(text)
-            return versions.read(text, cls.model_validate_json, version, cls)
-        except ValidationError as error:
-            raise refusal(error, cls) from None
-
-    @classmethod
-    def from_data(cls, data: dict[str, Any]) -> Self:
-        """Read a scene from plain dictionaries and lists, as `json.loads` gives them."""
-        return cls.from_json(json.dumps(data))
-
-    def to_json(self) -> str:
-        """The text of a scene file, indented."""
-        return self.model_dump_json(indent=2, exclude_none=True) + "\n"
-
-    def to_data(self) -> dict[str, Any]:
-        """The scene as plain dictionaries and lists."""
-        data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
-        return data

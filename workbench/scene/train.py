@@ -1,4 +1,4 @@
-"""The axis of a train, its lines of light, and refusals of elements that make no train.
+"""The train of a scene: its elements, its axis, and refusals of elements that make no train.
 
 The axis is straight from vertex to vertex, and folded at mirrors. It tells from which side light
 comes to elements and receivers.
@@ -6,19 +6,20 @@ comes to elements and receivers.
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene.element import Element
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.lens import Lens
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
+from workbench.scene.part import Part
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.receivers import Screen
-from workbench.scene.source import MOST_LINES, mean_wavelength
+from workbench.scene.spline_face import PlacedFace
 
 if TYPE_CHECKING:
     from workbench.scene.sources import Source
@@ -86,6 +87,22 @@ def check_elements(scene: "Scene") -> None:
     for number in range(len(scene.elements)):
         _check_element(scene, number)
     _check_diffuser(scene)
+
+
+def check_bends(scene: "Scene") -> None:
+    """Refuse a run that asks for bends of faces that have none between their edges."""
+    for name, value in scene.run.bends.items():
+        for focused in scene.focused:
+            if focused.optic.free and min(focused.optic.degree) < 2:
+                raise Refused(
+                    f"run.{name}",
+                    Message(
+                        "{value:g} is about curvature, and faces of degree 1 are flat between "
+                        "edges; {field} of at least 2",
+                        value=value,
+                        field=f"{focused.face_path()}.degree",
+                    ),
+                )
 
 
 def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
@@ -252,60 +269,121 @@ def _check_order(scene: "Scene", number: int, element: Element) -> None:
     )
 
 
-class Line(NamedTuple):
-    """One line of the light of a scene."""
+class Train(Part):
+    """The elements of a scene, as its light meets them."""
 
-    scene: "Scene"  # the scene in light of one wavelength
-    part: float  # the part of the flux that has it; the parts of all lines add up to 1
+    if TYPE_CHECKING:  # the scene has these fields, at their places in the file
+        source: "Source"
+        elements: tuple[Element, ...]
 
+    @property
+    def designed_numbers(self) -> tuple[int, ...]:
+        """Indices of the elements that the design shapes, in the order of the light."""
+        return tuple(number for number, each in enumerate(self.elements) if each.designed)
 
-def lines_of(scene: "Scene") -> tuple[Line, ...]:
-    """Return the lines of a scene; those of equal indices in all elements count as one."""
-    spectrum = scene.source.spectrum
-    if spectrum is None:
-        return (Line(scene, 1.0),)
-    alike: dict[tuple[float, ...], list[tuple[float, float]]] = {}
-    for wavelength, part in spectrum:
-        if part:
-            indices = tuple(element.lit(wavelength).index for element in scene.elements)
-            alike.setdefault(indices, []).append((wavelength, part))
-    total = sum(part for _, part in spectrum)
-    lines = []
-    for found in alike.values():
-        source = scene.source.model_copy(
-            update={"wavelength_um": mean_wavelength(found), "spectrum": None}
+    @property
+    def designed_number(self) -> int:
+        """Index of the last element of which the design shapes a face."""
+        numbers = self.designed_numbers
+        return ([number for number in numbers if self.elements[number].free] or numbers)[-1]
+
+    @property
+    def fixed_faces(self) -> frozenset[str]:
+        """Ids of the B-spline faces that the design leaves as they are."""
+        return frozenset(
+            placed.name for element in self.elements for placed, _ in element.fixed_faces
         )
-        part = sum(part for _, part in found) / total if len(alike) > 1 else 1.0
-        lines.append(Line(scene.model_copy(update={"source": source}), part))
-    return tuple(lines)
 
-
-def check_spectrum(scene: "Scene") -> None:
-    """Refuse a spectrum that makes no light, or for which a material has no data.
-
-    Raises `Refused` with the path of the field in the scene, the value and what is allowed.
-    """
-    source, spectrum = scene.source, scene.source.spectrum
-    if spectrum is None:
-        return
-    path = "source.spectrum"
-    if source.wavelength_um is not None:
-        both = Message(
-            "given together with a wavelength of {wavelength:g} µm; one of both",
-            wavelength=source.wavelength_um,
+    @property
+    def focused(self) -> tuple[Self, ...]:
+        """The scene for each element that the design shapes, the other elements left undesigned."""
+        numbers = self.designed_numbers
+        if len(numbers) == 1:
+            return (self,)
+        fixed = [each.undesigned if each.designed else each for each in self.elements]
+        return tuple(
+            self.model_copy(update={"elements": (*fixed[:k], self.elements[k], *fixed[k + 1 :])})
+            for k in numbers
         )
-        raise Refused(path, both)
-    if not 1 <= len(spectrum) <= MOST_LINES:
-        count = Message(
-            "{count} lines are given; 1 to {most}", count=len(spectrum), most=MOST_LINES
+
+    @property
+    def optic(self) -> Element:
+        """The last element that the design shapes, as the source's light meets it."""
+        return self.elements[self.designed_number].lit(self.source.wavelength)
+
+    @property
+    def optics(self) -> tuple[Element, ...]:
+        """All elements that the design shapes, as the source's light meets them."""
+        return tuple(self.elements[k].lit(self.source.wavelength) for k in self.designed_numbers)
+
+    def focused_on(self, name: str) -> Self:
+        """The one of `focused` for an element, by its name or by the id of one of its faces.
+
+        The scene itself if the design shapes no element of that name.
+        """
+        name = name.partition(".")[0]
+        return next((each for each in self.focused if each.optic.name == name), self)
+
+    def face_in_words(self, face: str) -> Message:
+        """What a designed face is called within a sentence, by its id."""
+        optic = self.focused_on(face).optic
+        words = Message(optic.face_in_words(face))
+        if len(self.designed_numbers) == 1:
+            return words
+        return Message("{face} of {element}", face=words, element=optic.name)
+
+    @property
+    def first(self) -> Element:
+        """The element that light meets first: its outline is the aperture of all light."""
+        return self.elements[0].lit(self.source.wavelength)
+
+    @property
+    def behind(self) -> tuple[Element, ...]:
+        """The elements behind the designed one, as the source's light meets them."""
+        elements = self.elements[self.designed_number + 1 :]
+        return tuple(each.lit(self.source.wavelength) for each in elements)
+
+    @property
+    def ways(self) -> tuple[Array, ...]:
+        """Unit vectors (3,) along which light comes to the elements; see `train.incoming`."""
+        return incoming(self.source, self.elements)
+
+    def onwards(self, receiver: AnyReceiver) -> int:
+        """1 if light comes to a receiver along its own +z, -1 if it comes against it."""
+        if receiver.turn is not None:
+            return 1
+        way = leaving(self.source, self.elements, receiver)
+        return 1 if way @ receiver.across > 0 else -1
+
+    def with_optic(self, optic: Element) -> Self:
+        """Return the scene with another element in place of `optic`, which goes with all else."""
+        return self.with_element(self.designed_number, optic)
+
+    def with_element(self, number: int, element: Element) -> Self:
+        """Return the scene with another element in place of the one with an index."""
+        elements: list[Element] = list(self.elements)
+        elements[number] = element.lit(DEFAULT_WAVELENGTH)
+        return self.model_copy(update={"elements": tuple(elements)})
+
+    @property
+    def optic_path(self) -> str:
+        """Path of `optic` in the scene."""
+        return f"elements[{self.designed_number}]"
+
+    def face_path(self, name: str | None = None) -> str:
+        """Path of a face in the scene, by its id; by default that of the last face of `optic`."""
+        number, placed = self._placed(name or self.optic.designed_face)
+        return f"elements[{number}].{placed.path}"
+
+    def _placed(self, face: str) -> tuple[int, PlacedFace]:
+        """Index of the element of a face, and where the face stands, by its id."""
+        return next(
+            (number, placed)
+            for number, element in enumerate(self.elements)
+            for placed in element.placed_faces
+            if placed.name == face
         )
-        raise Refused(path, count)
-    if not any(part for _, part in spectrum):
-        raise Refused(path, Message("all parts of the flux are 0; one above 0"))
-    for number, (wavelength, _) in enumerate(spectrum):
-        for element in scene.elements:
-            try:
-                _ = element.lit(wavelength).index
-            except Refused as refused:
-                if refused.path == "source.wavelength_um":  # else the material is refused later
-                    raise Refused(f"{path}[{number}][0]", refused.reason) from None
+
+    def element_of(self, face: str) -> Element:
+        """Return the element of a face, by the id of the face."""
+        return self.elements[self._placed(face)[0]]

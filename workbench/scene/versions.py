@@ -1,13 +1,13 @@
-"""Scene files of versions 1 and 2, converted to version 3.
+"""Scene files; those of versions 1 and 2 are converted to version 3.
 
 A refusal of a converted scene is given the path that the field has in the file.
 """
 
 import json
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from typing import Any, TypeVar
+from typing import Any, Literal, Self
 
 from pydantic import ValidationError
 from pydantic_core import from_json
@@ -15,10 +15,10 @@ from pydantic_core import from_json
 from workbench.errors import Refused, shown
 from workbench.messages import Message
 from workbench.refusals import SENTENCES, field_name, refusal
+from workbench.scene.part import Part
 from workbench.scene.turning import tilt_of, tilted, turned
 
 Data = dict[str, Any]
-Read = TypeVar("Read")
 
 _SCENE = (
     "far_field filter format further_images lens mirror regions run screen source target unit "
@@ -44,24 +44,48 @@ _MOST_FURTHER = 8
 _KEPT_OF_FACE = ["control_points", "degree", "height_range"]
 
 
-def read(
-    text: str | bytes, validate: Callable[[str], Read], version: int, model: type[Any]
-) -> Read:
-    """Read a scene file of version 1 or 2.
+class _Versioned(Part, extra="ignore"):
+    version: Literal[1, 2, 3] = 1
 
-    `text`: the file: a JSON object; `validate`: reads a scene file of version 3; `version`: what
-    the file states; `model`: the model that ``validate`` asks for. Raises `Refused` with the path
-    of the field in the file, the value and what is allowed.
-    """
-    data = from_json(text)
-    converted = upgraded(data, version)
-    try:
-        return validate(json.dumps(converted))
-    except ValidationError as error:
-        refused = refusal(error, model)
-        raise Refused(_old_path(refused.path, data), refused.reason) from None
-    except Refused as refused:
-        raise Refused(_old_path(refused.path, data), refused.reason) from None
+
+class SceneFile(Part):
+    """What is read from scene files of all versions, and written as one of version 3."""
+
+    @classmethod
+    def from_json(cls, text: str | bytes) -> Self:
+        """Read a scene from the text of a scene file.
+
+        Raises `Refused` with the path of the field in the file, the value and what is allowed.
+        """
+        try:
+            version = _Versioned.model_validate_json(text).version
+            if version == 3:
+                return cls.model_validate_json(text)
+        except ValidationError as error:
+            raise refusal(error, cls) from None
+        data = from_json(text)
+        converted = json.dumps(upgraded(data, version))
+        try:
+            return cls.model_validate_json(converted)
+        except ValidationError as error:
+            refused = refusal(error, cls)
+            raise Refused(_old_path(refused.path, data), refused.reason) from None
+        except Refused as refused:
+            raise Refused(_old_path(refused.path, data), refused.reason) from None
+
+    @classmethod
+    def from_data(cls, data: dict[str, Any]) -> Self:
+        """Read a scene from plain dictionaries and lists, as `json.loads` gives them."""
+        return cls.from_json(json.dumps(data))
+
+    def to_json(self) -> str:
+        """The text of a scene file, indented."""
+        return self.model_dump_json(indent=2, exclude_none=True) + "\n"
+
+    def to_data(self) -> dict[str, Any]:
+        """The scene as plain dictionaries and lists."""
+        data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
+        return data
 
 
 def upgraded(data: Data, version: int) -> Data:
