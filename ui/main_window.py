@@ -172,7 +172,7 @@ class MainWindow(QMainWindow):
         """Revert refused entries, or cancel a check, by Escape."""
         if event.key() != Qt.Key.Key_Escape:
             super().keyPressEvent(event)
-        elif not self.forms.take_all_back() and self.loaded is not None:
+        elif not self.forms.revert_all() and self.loaded is not None:
             self.loaded.check.cancel()
 
     @property
@@ -247,9 +247,9 @@ class MainWindow(QMainWindow):
                 "open": self.files.choose_and_open,
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
-                "export": lambda: self._take_along(self.exporter.choose_and_export),
-                "cut": lambda: self._take_along(self.exporter.choose_and_cut),
-                "report": lambda: self._take_along(self.reporter.choose_and_report),
+                "export": lambda: self._commit_and(self.exporter.choose_and_export),
+                "cut": lambda: self._commit_and(self.exporter.choose_and_cut),
+                "report": lambda: self._commit_and(self.reporter.choose_and_report),
                 "sweep": self._sweep,
                 "new_window": self.new_window_asked.emit,
                 "close": self.close,
@@ -257,7 +257,7 @@ class MainWindow(QMainWindow):
                 "undo": self._undo,
                 "redo": self.document.undo_stack.redo,
                 "second_face": self.forms.switch_entrance,
-                "picture_aspect": self.forms.take_aspect,
+                "picture_aspect": self.forms.adopt_aspect,
                 **self._chosen.slots(),
                 "revert": self.files.revert,
                 "reset_layout": self._layout.reset,
@@ -274,16 +274,16 @@ class MainWindow(QMainWindow):
         self.document.path_changed.connect(self._show_state)
         self.document.dirty_changed.connect(self.setWindowModified)
         self.document.dirty_changed.connect(self._show_state)
-        self.files.look = self._view_state.to_data
+        self.files.view_data = self._view_state.to_data
         self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
-        self.files.opened.connect(self._image.look)
+        self.files.opened.connect(self._image.report)
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.forms.refusals_changed.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
         self.files.saved.connect(self._show_saved)
 
     def _undo(self) -> None:
-        if not self.forms.take_back():
+        if not self.forms.revert_latest():
             self.document.undo_stack.undo()
 
     def _show_gallery(self) -> None:
@@ -319,7 +319,7 @@ class MainWindow(QMainWindow):
         self.log.add(sentence)
         self.status.show_briefly(sentence)
 
-    def _take_along(self, take: Callable[[], None]) -> None:
+    def _commit_and(self, take: Callable[[], None]) -> None:
         self.forms.commit()
         take()
 

@@ -76,7 +76,7 @@ class Windows(QObject):
         example = EXAMPLES[0].file
         window = MainWindow(Document(open_design(example), example.stem), self._settings)
         recovery = Recovery(window.document, self._folder, window)
-        recovery.look = window.files.look
+        recovery.view_data = window.files.view_data
         recovery.failed.connect(window.messages.warn)
         window.files.find_other = partial(self._other_with, window)
         window.new_window_asked.connect(self.open_beside)

@@ -39,7 +39,7 @@ class Estimator(QObject):
         self._background.done.connect(self._emit_found)
         self._background.failed.connect(self.failed)
 
-    def look(self, job: "Job") -> None:
+    def estimate(self, job: "Job") -> None:
         self._background.begin(partial(_find, job))
 
     def leave(self) -> None:

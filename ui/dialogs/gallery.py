@@ -47,15 +47,15 @@ class Gallery(QDialog):
         self._list.setWordWrap(True)
         for example in examples:
             self._list.addItem(self._item(example))
-        self._look = WrappedLabel()
-        self._look.setMinimumHeight(3 * self._look.fontMetrics().lineSpacing())
-        self._look.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._description = WrappedLabel()
+        self._description.setMinimumHeight(3 * self._description.fontMetrics().lineSpacing())
+        self._description.setAlignment(Qt.AlignmentFlag.AlignTop)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
         )
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), (self._list, 1), self._look, buttons)
+        filled(QVBoxLayout(self), (self._list, 1), self._description, buttons)
         self._list.currentRowChanged.connect(self._describe)
         self._list.itemDoubleClicked.connect(self.accept)
         self._list.setCurrentRow(0)
@@ -68,7 +68,7 @@ class Gallery(QDialog):
 
     def _describe(self, row: int) -> None:
         example = self._examples[row]
-        self._look.setText(f"{tr(example.group)}: {tr(example.look)}")
+        self._description.setText(f"{tr(example.group)}: {tr(example.look)}")
 
     def _item(self, example: Example) -> QListWidgetItem:
         item = QListWidgetItem(self._picture(example), tr(example.title))

@@ -52,7 +52,7 @@ class StartPage(QDialog):
         self._begins = False  # as soon as there is one
         self._obstacle = ""  # why there is none
         self._refusal = Refusal()
-        self._finder = Estimator(self)
+        self._estimator = Estimator(self)
         self._drawing, self._estimate = SideDrawing(), EstimateView()
         self._jobs = QListWidget()
         self._jobs.setAccessibleName(tr("Jobs"))
@@ -63,7 +63,7 @@ class StartPage(QDialog):
         for kind, form in zip(JOBS, self._forms, strict=True):
             self._jobs.addItem(tr(title_of(kind)))
             self._jobs.item(self._jobs.count() - 1).setToolTip(tr(summary_of(kind)))
-            form.changed.connect(self._look)
+            form.changed.connect(self._update)
             form.image_asked.connect(self._choose_image)
             form.light_asked.connect(self._choose_light)
             self._stack.addWidget(form)
@@ -71,10 +71,10 @@ class StartPage(QDialog):
         self._jobs.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._jobs.setFixedWidth(max(self._jobs.sizeHintForColumn(0) + 2 * beside, _JOBS_WIDE))
         self._lay_out()
-        self._finder.ready.connect(self._take)
-        self._finder.found.connect(self._estimate.show_prospect)
-        self._finder.progressed.connect(self._estimate.show_progress)
-        self._finder.failed.connect(self._refuse)
+        self._estimator.ready.connect(self._store)
+        self._estimator.found.connect(self._estimate.show_prospect)
+        self._estimator.progressed.connect(self._estimate.show_progress)
+        self._estimator.failed.connect(self._refuse)
         self.finished.connect(self._close)
         self._jobs.currentRowChanged.connect(self._choose)
         self._jobs.setCurrentRow(0)
@@ -125,21 +125,21 @@ class StartPage(QDialog):
 
     def _choose(self, row: int) -> None:
         self._stack.setCurrentIndex(row)
-        self._look()
+        self._update()
 
-    def _look(self) -> None:
+    def _update(self) -> None:
         self._session, self._begins, self._obstacle = None, False, ""
         self._refusal.show_text("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
-            self._finder.leave()
+            self._estimator.leave()
             self._estimate.outdate()
             return
         self._drawing.show_view(side_view(self.form.job.scene()))
         self._estimate.wait()
-        self._finder.look(self.form.job)
+        self._estimator.estimate(self.form.job)
 
-    def _take(self, session: "Session") -> None:
+    def _store(self, session: "Session") -> None:
         self._session = session
         self._estimate.show_target(session)
         if self._begins:
@@ -173,7 +173,7 @@ class StartPage(QDialog):
             self.form.choose_light(path)
 
     def _close(self) -> None:
-        self._finder.close()
+        self._estimator.close()
         self.deleteLater()
 
 

@@ -116,7 +116,7 @@ class SweepDialog(QDialog):
         )
         self.resize(_SIZE.boundedTo(window.size()))
         self._background = Background(later("sweep"), self)
-        self._background.progressed.connect(self._take)
+        self._background.progressed.connect(self._show_row)
         self._background.done.connect(lambda *_: self._offer())
         self._background.failed.connect(self._give_up)
         self.begin.clicked.connect(self.toggle)
@@ -193,7 +193,7 @@ class SweepDialog(QDialog):
         for number, point in enumerate(points):
             self.table.put(number, [*map(shown, point.changes.values()), "…"])
 
-    def _take(self, sweep: Sweep, found: "tuple[int, PointRow]") -> None:
+    def _show_row(self, sweep: Sweep, found: "tuple[int, PointRow]") -> None:
         number, row = found
         self._rows[number] = row
         values = list(row.changes.values())

@@ -154,13 +154,13 @@ class ShownLens(QObject):
         self._wait = QTimer(self, singleShot=True, interval=_AT_ONCE_MS)
         self._wait.timeout.connect(lambda: self._mark(True))
         document.session_changed.connect(self._follow)
-        self.frame_changed.connect(self._take)
+        self.frame_changed.connect(self._store)
         self.emptied.connect(self._empty)
 
     def _follow(self, session: "Session") -> None:
         self._judge(self._frame is None or shows(self._frame, session))
 
-    def _take(self, frame: "Frame") -> None:
+    def _store(self, frame: "Frame") -> None:
         self._frame = frame
         self._mark(False)
         self._judge(lit_alike(frame.session, self._document.session))

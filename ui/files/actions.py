@@ -136,7 +136,7 @@ class FileActions(QObject):
         self._window = window
         self.find_other: Callable[[Path], QWidget | None] = lambda path: None
         self.offer: Callable[[Path], bool] = lambda path: False
-        self.look: Callable[[], dict[str, Any] | None] = lambda: None
+        self.view_data: Callable[[], dict[str, Any] | None] = lambda: None
 
     def new(self, example: Example) -> bool:
         """Open an example and show its hint; False if not opened."""
@@ -259,7 +259,7 @@ class FileActions(QObject):
                 choice = ask_about_changed_file(path, found, self._window)
                 if choice is not ChangedFileChoice.OVERWRITE:
                     return self._save_otherwise(choice)
-            self._document.save(path, self.look(), making)
+            self._document.save(path, self.view_data(), making)
         except Refused as refused:
             self._messages.warn(error_text(refused), (tr("Save as…"), self.save_as))
             return False

@@ -171,7 +171,7 @@ class Recovery(QObject):
         every_ms: int = _EVERY_MS,
     ) -> None:
         super().__init__(parent)
-        self.look: Callable[[], dict[str, Any] | None] = lambda: None
+        self.view_data: Callable[[], dict[str, Any] | None] = lambda: None
         self._document = document
         self._file = folder / f"{uuid4().hex}{ENDING}"
         self._lock = lock_of(self._file)
@@ -218,7 +218,7 @@ class Recovery(QObject):
                 self._remove()
         elif session is not self._kept:
             self._kept = session
-            work = replace(self._document.verified.complete(session), view=self.look())
+            work = replace(self._document.verified.complete(session), view=self.view_data())
             about = self._about(ended=False)
             self._background.begin(partial(_write, work, about, self._file))
 

@@ -41,7 +41,7 @@ class MoveSource(QObject):
 
     begun = Signal()
     moved = Signal(object)  # Scene
-    taken_back = Signal()
+    cancelled = Signal()
 
     cursor = Qt.CursorShape.OpenHandCursor
     shows_net = False
@@ -111,7 +111,7 @@ class MoveSource(QObject):
     def cancel(self) -> None:
         drag, self._drag = self._drag, None
         if drag is not None:
-            self.taken_back.emit()
+            self.cancelled.emit()
 
     def hover(self, at: Pointer | None) -> None:
         """Do nothing: the handles are visible."""

@@ -98,7 +98,7 @@ class LensTools(QObject):
     """Tools for control points, locks and source; their drags become undoable steps."""
 
     message = Signal(str)
-    lens_taken = Signal()
+    editing_began = Signal()
 
     def __init__(
         self, document: "Document", control: "RunControl", view: "SceneView", parent: QObject
@@ -114,9 +114,9 @@ class LensTools(QObject):
             "move_source": self._move_source(),
         }
         self._tool: Tool | None = None
-        lock.painted.connect(self._take_paint)
+        lock.painted.connect(self._store_locks)
         self._live = LiveLens(self)
-        self._live.traced.connect(self._take)
+        self._live.traced.connect(self._show_traced)
         self._live.failed.connect(self._give_up)
         self._shaping = False  # a drag goes on
         self._settling: Draft | None = None  # let go, not traced yet
@@ -150,7 +150,7 @@ class LensTools(QObject):
         tool = MoveSource(self._view, self._movable, self)
         tool.begun.connect(self._count)
         tool.moved.connect(self._move)
-        tool.taken_back.connect(self._move_back)
+        tool.cancelled.connect(self._move_back)
         return tool
 
     def _use(self, tool: "Tool | None") -> None:
@@ -196,7 +196,7 @@ class LensTools(QObject):
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
-        self.lens_taken.emit()
+        self.editing_began.emit()
         draft = self._settling
         return frame.state.heights if draft is None else draft.heights
 
@@ -248,7 +248,7 @@ class LensTools(QObject):
         if steps.origin(self._key) is not None:
             self._as_own(steps.undo)
 
-    def _take(self, draft: Draft, frame: "Frame") -> None:
+    def _show_traced(self, draft: Draft, frame: "Frame") -> None:
         shown = self._view.frame
         if shown is not None and _differ_by_source(shown.session, draft.session):
             # Views begin anew with another session. While a source is dragged they need not: all
@@ -283,7 +283,7 @@ class LensTools(QObject):
                 text,
             )
 
-    def _take_paint(self, face: str, locked: Mask, locks: bool) -> None:
+    def _store_locks(self, face: str, locked: Mask, locks: bool) -> None:
         text = tr("lock points") if locks else tr("unlock points")
         self._set_locked({**self._document.session.locked, face: locked}, text)
 

@@ -60,7 +60,7 @@ class LimitFields(QObject):
         for name, row in self.rows.items():
             row.editors[name].setAccessibleName(tr("Limit: {label}").format(label=row.label.text()))
         rows = list(self.rows.values())
-        self._entries = RowEntries(rows, self._data, self._take, self)
+        self._entries = RowEntries(rows, self._data, self._enter, self)
         self._entries.changed.connect(lambda: self.changed.emit(self.limits))
 
     @property
@@ -75,7 +75,7 @@ class LimitFields(QObject):
         self._entries.show()
         self.changed.emit(self.limits)
 
-    def _take(self, edits: list[Edit]) -> None:
+    def _enter(self, edits: list[Edit]) -> None:
         data = edited_data(self._data(), edits)
         for edit in edits:
             value = data[edit.path]

@@ -106,7 +106,7 @@ class ManufacturePane(ComputingView):
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
         self._background = Background(later("analysis of the face"), self)
-        self._background.done.connect(self._take)
+        self._background.done.connect(self._store_found)
         self._background.failed.connect(figures.show_remark)
         self._fields.changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
@@ -160,7 +160,7 @@ class ManufacturePane(ComputingView):
 
         self._background.begin(work)
 
-    def _take(self, _: None, found: _Found) -> None:
+    def _store_found(self, _: None, found: _Found) -> None:
         if self._frame is None:
             return
         if same_light(found.frame, self._frame):

@@ -148,7 +148,7 @@ class TolerancePane(View):
         self.plot.add_below(self.summary)
         self._sample: Sample | None = None
         self._background = Background(later("tolerance analysis"), self)
-        self._background.progressed.connect(self._take)
+        self._background.progressed.connect(self._add_lens)
         self._background.done.connect(self._follow)
         self._background.failed.connect(self._give_up)
         self.form.toggled.connect(self.toggle)
@@ -192,7 +192,7 @@ class TolerancePane(View):
             self._background.begin(partial(trace_sample, sample, _RAYS), sample)
             self._offer()
 
-    def _take(self, sample: Sample, each: "Perturbed") -> None:
+    def _add_lens(self, sample: Sample, each: "Perturbed") -> None:
         sample.add(each)
         self._follow(sample)
 

@@ -59,7 +59,7 @@ class Forms(QScrollArea):
         # A field takes Esc for its own text; this is for what was refused in any of them.
         self._escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), self)
         self._escape.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        self._escape.activated.connect(self.take_all_back)
+        self._escape.activated.connect(self.revert_all)
         self._escape.setEnabled(False)
         self._show()
 
@@ -138,7 +138,7 @@ class Forms(QScrollArea):
         for row in self._rows():
             row.commit()
 
-    def take_back(self) -> bool:
+    def revert_latest(self) -> bool:
         """Revert text that is not entered, or else the latest refused entry; whether any."""
         row = next((row for row in self._rows() if row.unentered), None)
         paths = [p for p in self._pending if row.concerns(p)] if row else list(self._pending)[-1:]
@@ -152,10 +152,10 @@ class Forms(QScrollArea):
             self.ensureWidgetVisible(row)
         return True
 
-    def take_all_back(self) -> bool:
+    def revert_all(self) -> bool:
         """Revert all typed or refused entries; whether there were any."""
         any_back = False
-        while self.take_back():
+        while self.revert_latest():
             any_back = True
         return any_back
 
@@ -177,7 +177,7 @@ class Forms(QScrollArea):
         text = tr("flat entrance face") if two_faces else tr("freeform entrance face")
         self.edit(Edit(f"{path}.shape", text, changes, alone=True))
 
-    def take_aspect(self) -> None:
+    def adopt_aspect(self) -> None:
         """Set receiver and pixels to the aspect of the target's picture."""
         from workbench.targets import picture_aspect  # late: takes long to import
 

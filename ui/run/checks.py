@@ -78,7 +78,7 @@ class Check(QObject):
         self._rays = self._asked_rays = RAYS
         self._background = Background(later("check"), self)
         self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._take)
+        self._background.done.connect(self._show_outcome)
         self._background.failed.connect(self._give_up)
 
     def show_frame(self, frame: "Frame") -> None:
@@ -128,7 +128,7 @@ class Check(QObject):
     def _show_progress(self, lens: CheckedLens, part: float) -> None:
         self.figures_changed.emit(tr("checking… {part:.0f} %").format(part=100 * part))
 
-    def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
+    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
         failed = found.contradiction
         self.figures_changed.emit(
@@ -196,10 +196,10 @@ class RunCheck(QObject):
         self._end: CheckedLens | None = None  # the lens of the run that ended last
         self._result: Result | None = None  # that it is of
         self._background = Background(later("check of the run"), self)
-        self._background.done.connect(self._take)
+        self._background.done.connect(self._show_outcome)
         self._background.failed.connect(self.failed)
         control.runner.state_changed.connect(self._follow)
-        control.runner.frame_ready.connect(self._look)
+        control.runner.frame_ready.connect(self._check_frame)
         control.ended.connect(self._finish)
         control.history.changed.connect(self._follow_course)
         document.session_changed.connect(self._follow_document)
@@ -211,7 +211,7 @@ class RunCheck(QObject):
         if state == "running" and self._last is None:
             self._background.cancel()
 
-    def _look(self, frame: "Frame") -> None:
+    def _check_frame(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
             return
         last, self._last = self._last, frame
@@ -243,7 +243,7 @@ class RunCheck(QObject):
             )
             self._background.begin(partial(check, self._end, RAYS, None, ACCURACY), self._end)
 
-    def _take(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
+    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
         found, _ = outcome
         if found.contradiction:
             self._text = tr("Check failed")

@@ -249,7 +249,7 @@ class CurrentLens(QObject):
 
     def follow(self, control: "RunControl") -> None:
         self._control = control
-        control.runner.frame_ready.connect(self._take)
+        control.runner.frame_ready.connect(self._keep_preview)
 
     @property
     def in_the_making(self) -> "Result | None":
@@ -286,5 +286,5 @@ class CurrentLens(QObject):
             )
         )
 
-    def _take(self, frame: "Frame") -> None:
+    def _keep_preview(self, frame: "Frame") -> None:
         self._preview = frame

@@ -34,7 +34,7 @@ class RunLog(QObject):
         self._state = "idle"
         self._last: Snapshot | None = None
         control.runner.state_changed.connect(self._follow)
-        control.runner.frame_ready.connect(self._look)
+        control.runner.frame_ready.connect(self._log_frame)
         control.ended.connect(self._end)
         control.displaced.connect(
             lambda name: log(tr("{name} was removed: memory limit of kept runs").format(name=name))
@@ -58,7 +58,7 @@ class RunLog(QObject):
             )
             self._log(tr(_TURNS[before, state]) + at)
 
-    def _look(self, frame: "Frame") -> None:
+    def _log_frame(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
             return
         shot, last = frame.snapshot, self._last

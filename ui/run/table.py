@@ -82,7 +82,7 @@ class RunTable(QWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
         header.setMaximumSectionSize(_WIDEST * self.fontMetrics().averageCharWidth())
         self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
-        self.table.itemChanged.connect(self._take_change)
+        self.table.itemChanged.connect(self._read_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
         delete = self.table.add_action(tr("Delete"), QKeySequence.StandardKey.Delete)
         delete.triggered.connect(self.delete)
@@ -187,7 +187,7 @@ class RunTable(QWidget):
             self._pictures[result] = QIcon(thumbnail_of(run, _PICTURE))
         return self._pictures[result]
 
-    def _take_change(self, item: QTableWidgetItem) -> None:
+    def _read_change(self, item: QTableWidgetItem) -> None:
         run = self._runs[item.row()]
         result = id(run.result)
         marked = item.checkState() is Qt.CheckState.Checked

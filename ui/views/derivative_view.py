@@ -51,7 +51,7 @@ class DerivativeView(PlotView, ComputingView):
         super().__init__(shared)
         self._shared.picked.connect(self.choose)
         self._background = Background(later("derivative map"), self)
-        self._background.done.connect(self._take)
+        self._background.done.connect(self._show_map)
         self._background.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
         self._of: DerivativeRequest | None = None  # what the map answers
@@ -139,7 +139,7 @@ class DerivativeView(PlotView, ComputingView):
         self._sum.setText(tr("Computing…"))
         self._background.begin(partial(_derivative, request), request)
 
-    def _take(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
+    def _show_map(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
         self._map, self._of = found, request
         self._place.setText(_place(found, request.scene.unit))
         self._sum.setText(_sum(found, request.scene.unit))

@@ -134,8 +134,8 @@ class FocusView(LightImageView, ComputingView):
         self._traced: Array | None = None
         self._heights: ControlHeights | None = None  # of the traced lens
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
-        self._image_of.progressed.connect(self._take)
-        self._curve_of.progressed.connect(self._take_error)
+        self._image_of.progressed.connect(self._show_light)
+        self._curve_of.progressed.connect(self._add_error)
         for traces in (self._image_of, self._curve_of):
             traces.failed.connect(self._show_place)
         self._slider = QSlider(Qt.Orientation.Horizontal)
@@ -225,7 +225,7 @@ class FocusView(LightImageView, ComputingView):
         request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
         self._image_of.begin(partial(trace_through_focus, request), request)
 
-    def _take(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
+    def _show_light(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         _, found = traced
         if found is None:
             self._traced = np.zeros_like(request.session.target)
@@ -275,7 +275,7 @@ class FocusView(LightImageView, ComputingView):
         request = FocusRequest(*lens, tuple((z, _CURVE_RAYS) for z in places))
         self._curve_of.begin(partial(trace_through_focus, request), request)
 
-    def _take_error(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
+    def _add_error(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
         z, found = traced
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
 

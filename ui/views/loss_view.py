@@ -34,7 +34,7 @@ class HistorySlider(QWidget):
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setAccessibleName(tr("Iteration of the run"))
         self._slider.setToolTip(tr("Show the design at an earlier iteration of the run"))
-        self._slider.valueChanged.connect(self._look)
+        self._slider.valueChanged.connect(self._show_chosen)
         self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())
         self._text = QLabel()
         self._text.setMinimumWidth(
@@ -63,8 +63,8 @@ class HistorySlider(QWidget):
         self.setVisible(len(frames) > 1)
         self._show_iteration()
 
-    def allow(self, look: bool, go_on: bool) -> None:
-        self._slider.setEnabled(look)
+    def allow(self, resting: bool, go_on: bool) -> None:
+        self._slider.setEnabled(resting)
         self._button.setEnabled(go_on)
 
     def minimumSizeHint(self) -> QSize:
@@ -85,7 +85,7 @@ class HistorySlider(QWidget):
     def _frame(self) -> "Frame":
         return self._frames[self._slider.value()]
 
-    def _look(self) -> None:
+    def _show_chosen(self) -> None:
         self._show_iteration()
         self.frame_chosen.emit(self._frame)
 

@@ -43,7 +43,7 @@ class PhotoRequest:
         return asked and same_light(self.frame, other.frame)
 
 
-def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
+def predict_photo(request: PhotoRequest, task: Task) -> "Photo | None":
     """Return the photo of a request, None if cancelled; for a thread.
 
     Reports the finished fraction.
@@ -66,7 +66,7 @@ def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
 _USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
 
 
-_TAKE = later("photo prediction")
+_WORK = later("photo prediction")
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
 _NO_LENS = later("There is no lens yet. Start designs one.")
 _WAITS = later("The photo is predicted when the design rests.")
@@ -78,11 +78,11 @@ class PhotoView(ComputingView):
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self._shared.changed.connect(self._want)
-        self._taken: tuple[PhotoRequest, Photo] | None = None
+        self._predicted: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
         self._summary = WrappedLabel(tr(_NO_LENS))
         self._summary.setContentsMargins(6, 0, 6, 4)
-        self._background = Background(_TAKE, self)
+        self._background = Background(_WORK, self)
         self._background.progressed.connect(
             lambda _, part: self._summary.setText(
                 tr("Predicting… {part:.0f} %").format(part=100 * part)
@@ -100,16 +100,16 @@ class PhotoView(ComputingView):
     @property
     def photo(self) -> "Photo | None":
         """Photo of the shown lens; None if missing or of an earlier lens."""
-        if self._frame is None or self._taken is None or not self._known(self._request()):
+        if self._frame is None or self._predicted is None or not self._known(self._request()):
             return None
-        return self._taken[1]
+        return self._predicted[1]
 
     @property
     def stops(self) -> float:
         return self._slider.value() / _STEPS
 
     def show_nothing(self, session: "Session") -> None:
-        self._taken = None
+        self._predicted = None
         self._pixels.clear()
         super().show_nothing(session)
         self._summary.setText(tr(_NO_LENS))
@@ -181,37 +181,37 @@ class PhotoView(ComputingView):
         return PhotoRequest(self._frame, number, self._light.currentData())
 
     def _known(self, request: PhotoRequest) -> bool:
-        return self._taken is not None and self._taken[0].same(request)
+        return self._predicted is not None and self._predicted[0].same(request)
 
     def _asked(self, request: PhotoRequest) -> bool:
         return self._wanted is not None and self._wanted.same(request)
 
     def _compute(self) -> None:
         request = self._wanted = self._request()
-        self._background.begin(partial(take_photo, request), request)
+        self._background.begin(partial(predict_photo, request), request)
 
     def _show(self, request: PhotoRequest, photo: "Photo | None") -> None:
         if photo is not None:
-            self._taken = request, photo
+            self._predicted = request, photo
             self._show_summary(request)
             self._ask()
 
     def _is_behind(self) -> bool:
-        there = self._frame is not None and self._taken is not None
+        there = self._frame is not None and self._predicted is not None
         return there and not self._known(self._request())
 
     def _show_summary(self, request: PhotoRequest) -> None:
         self._show_veil()
-        if self._known(request) and self._taken is not None:
-            text = tr(self._taken[1].summary)
+        if self._known(request) and self._predicted is not None:
+            text = tr(self._predicted[1].summary)
             self._summary.setText(f"{text[0].upper()}{text[1:]}.")
         elif not self._background.busy:
-            before = "" if self._taken is None else tr("Outdated. ")
+            before = "" if self._predicted is None else tr("Outdated. ")
             self._summary.setText(before + tr(_WAITS))
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        if self._taken is not None:
-            photo = self._taken[1]
+        if self._predicted is not None:
+            photo = self._predicted[1]
             image = rgb_image(photo.picture(self.stops))
             self._pixels.show_image(image, photo.aspect * image.width() / image.height())
             self._pixels.repaint()

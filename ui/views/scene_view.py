@@ -166,8 +166,8 @@ class SceneView(View):
         """Return the magnified picture, shape (rows, columns, 3); None before drawing."""
         if self._contents.picture is None:
             return None
-        taken = self._plotter.screenshot(return_img=True, scale=times)
-        return np.ascontiguousarray(taken[..., :3])
+        pixels = self._plotter.screenshot(return_img=True, scale=times)
+        return np.ascontiguousarray(pixels[..., :3])
 
     def show_spots(self, heights: "ControlHeights", places: Array) -> None:
         """Mark points (n, 3) of a lens with these heights while it is shown."""

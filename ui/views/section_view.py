@@ -59,7 +59,7 @@ class SectionView(PlotView):
         self._add_in_corner(self._button)
         self._shared.pinned.connect(self._pin)
         self._shared.changed.connect(self._follow)
-        self._shared.drawn.connect(self._take)
+        self._shared.drawn.connect(self._show_line)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -116,9 +116,9 @@ class SectionView(PlotView):
             self._ask()
         if self.isVisible() and self._shared.now.line not in (None, self._line):
             assert self._shared.now.line is not None
-            self._take(self._shared.now.line)
+            self._show_line(self._shared.now.line)
 
-    def _take(self, line: Line) -> None:
+    def _show_line(self, line: Line) -> None:
         self._line = line
         choose(self._direction, _DIRECTIONS.index("line"))
         self._turn()

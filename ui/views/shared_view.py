@@ -45,8 +45,8 @@ class ViewOptions:
     @property
     def of_scene(self) -> tuple[object, ...]:
         """Those that the 3D view follows."""
-        look = self.rays, self.exploded, self.perspective, self.by_weight, self.faces
-        return (*look, self.exaggerated, self.colours, self.point)
+        drawn = self.rays, self.exploded, self.perspective, self.by_weight, self.faces
+        return (*drawn, self.exaggerated, self.colours, self.point)
 
 
 class SharedView(QObject):

@@ -64,10 +64,10 @@ class Views(QObject):
     def computing(self) -> dict[str, ComputingView]:
         return {name: view for name, view in self.docked.items() if isinstance(view, ComputingView)}
 
-    def allow(self, look: bool, go_on: bool) -> None:
-        self.history_slider.allow(look=look, go_on=go_on)
+    def allow(self, resting: bool, go_on: bool) -> None:
+        self.history_slider.allow(resting=resting, go_on=go_on)
         for view in self.docked.values():
-            view.allow(resting=look)
+            view.allow(resting=resting)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {

@@ -246,7 +246,7 @@ class TargetImage(Notice):
         super().__init__(document, messages, parent)
         document.edited.connect(self._report_edit)
 
-    def look(self) -> None:
+    def report(self) -> None:
         session = self._document.session
         if self._document.path is None:  # drawn from its file a moment ago
             self._report_if_not_kept(session)

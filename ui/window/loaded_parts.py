@@ -78,13 +78,13 @@ class LoadedParts(QObject):
         self.reflection = TotalReflectionNotice(document, self.control)
         self.reflection.located.connect(views.scene.show_spots)
         self.reflection.reported.connect(self._report_reflection)
-        self.follow.settled.connect(self.reflection.look)
+        self.follow.settled.connect(self.reflection.report)
         docked = {**views.docked, "check": self.figures, "runs": self.runs.table}
         workspace.put_views(views.scene, docked)
         for name, view in views.computing.items():
             workspace.docks[name].visibilityChanged.connect(view.uncover)
         views.shared.drawn.connect(lambda _: workspace.show_dock("section"))
-        views.shared.regions_drawn.connect(self._take_regions)
+        views.shared.regions_drawn.connect(self._edit_regions)
         views.shared.changed.connect(self._follow_marking)
         views.follow(document, shown, self.control.history)
         views.scene.escaped.connect(early.commands["turn"].trigger)
@@ -103,8 +103,8 @@ class LoadedParts(QObject):
     def state(self) -> str:
         return self.control.runner.state
 
-    def allow(self, look: bool, go_on: bool) -> None:
-        self.views.allow(look, go_on)
+    def allow(self, resting: bool, go_on: bool) -> None:
+        self.views.allow(resting, go_on)
 
     def close(self) -> None:
         engines = (self.follow, self.control, self.check, self.plots, self.runs)
@@ -153,7 +153,7 @@ class LoadedParts(QObject):
         follow.settled.connect(self.runs.show)
         follow.failed.connect(early.messages.warn)
         self.check.under_way_changed.connect(follow.hold)
-        self.tools.lens_taken.connect(follow.rest)
+        self.tools.editing_began.connect(follow.rest)
         command.triggered.connect(lambda on: settings.setValue(FOLLOW, on))
         early.commands.connect_toggles({"follow": follow.switch})
         command.setChecked(bool(settings.value(FOLLOW, True, bool)))
@@ -191,7 +191,7 @@ class LoadedParts(QObject):
     def _follow_marking(self) -> None:
         self._early.commands["mark_region"].setChecked(self.views.shared.now.marking)
 
-    def _take_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
+    def _edit_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
         if self.control.busy:
             self._early.messages.note(tr("Stop the run first, then mark regions."))
             return

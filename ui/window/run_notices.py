@@ -193,10 +193,10 @@ class TotalReflectionNotice(QObject):
         self._background = Background(later("search for total reflection"), self)
         self._background.done.connect(self._show)
         self._background.failed.connect(self.reported)
-        control.ended.connect(self.look)
+        control.ended.connect(self.report)
         document.session_changed.connect(self._background.cancel)
 
-    def look(self) -> None:
+    def report(self) -> None:
         session = self._document.session
         result = session.result
         lost = {} if result is None else result.state.account.lost

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
     from workbench.scene import Element
 
-_TAKES_LENS = ("export", "cut", "report")
+_USES_LENS = ("export", "cut", "report")
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = (
@@ -80,7 +80,7 @@ class Situation:
         idle, under_way = self.state == "idle", self.under_way
         return {
             **dict.fromkeys(_CHANGING, self.editable),
-            **dict.fromkeys(_TAKES_LENS, self.has_lens or under_way),
+            **dict.fromkeys(_USES_LENS, self.has_lens or under_way),
             "second_face": self.optic.most_faces > 1,
             "other_face": self.two_faces,
             "start": idle,
@@ -101,12 +101,10 @@ class Situation:
         no_lens = (
             "" if self.has_lens else tr("There is no {optic} yet; Start designs one", optic=called)
         )
-        taken = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
+        used = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
         return {
             **dict.fromkeys(_CHANGING, "" if self.editable else tr(_RUN_FIRST)),
-            **dict.fromkeys(
-                _TAKES_LENS, tr("Uses {lens}").format(lens=taken) if taken else no_lens
-            ),
+            **dict.fromkeys(_USES_LENS, tr("Uses {lens}").format(lens=used) if used else no_lens),
             "continue": "" if self.following else no_lens,
             **({"undo": ""} if self.has_refused else {}),
             "second_face": ""
@@ -147,7 +145,7 @@ class WindowState:
         early.forms.set_running(not now.editable, paused=now.state == "paused")
         early.workspace.history.setEnabled(now.editable)
         if self.loaded is not None:
-            self.loaded.allow(look=now.resting, go_on=now.state == "idle")
+            self.loaded.allow(resting=now.resting, go_on=now.state == "idle")
         self._show_status(now)
 
     def show_following(self, text: str) -> None:

@@ -34,7 +34,9 @@ def test_every_example_has_a_picture_of_its_target(gallery):
 def test_typing_a_name_and_enter_open_it(window, gallery, qtbot):
     qtbot.keyClicks(gallery._list, "lett")
     letter = next(example for example in EXAMPLES if example.name == "letter")
-    assert letter.look in gallery._look.text() and letter.group in gallery._look.text()
+    assert (
+        letter.look in gallery._description.text() and letter.group in gallery._description.text()
+    )
     qtbot.keyClick(gallery, Qt.Key.Key_Return)
     assert window.document.name == "letter"
     qtbot.waitUntil(lambda: window.findChild(Gallery) is None)

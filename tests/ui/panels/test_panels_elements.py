@@ -128,7 +128,7 @@ def test_an_element_that_no_train_can_have_is_refused_below_the_list(begin, qtbo
     click(qtbot, forms, "Add mirror")
     assert names(document) == ["lens"]
     assert "may touch the element mirror" in row(forms, "elements").refusal
-    assert forms.take_back()
+    assert forms.revert_latest()
     click(qtbot, forms, "Add lens")
     assert names(document) == ["lens", "lens-2"] and not forms.refused
 
@@ -192,7 +192,7 @@ def test_the_last_designed_face_stays(begin, qtbot):
     before = elements(document)
     choose(forms, "elements[0].faces[1].shape", "plane")
     assert "no face is designed" in row(forms, "elements[0].faces[1].shape").refusal
-    forms.take_all_back()
+    forms.revert_all()
     choose(forms, "elements[0].faces[0].shape", "bspline")
     choose(forms, "elements[0].faces[1].shape", "conic")
     assert "needs a B-spline back face" in row(forms, "elements[0].faces[1].shape").refusal

@@ -12,7 +12,7 @@ def shown(window):
 
 
 def save(window, path):
-    window.document.save(path, window.files.look())
+    window.document.save(path, window.files.view_data())
 
 
 def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbot):
