@@ -9525,6 +9525,21 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{way:g} davor ({front}) ist zu fern für einen Spiegel mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>zusammen mit einer Wellenlänge von {wavelength:g} µm angegeben; nur eines von beiden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} Linien sind angegeben; 1 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>alle Anteile des Flusses sind 0; mindestens einer über 0</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/sources.py" />
             <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
             <translation>{angle:g} bringt Licht {steepest:g} Grad von der Achse, das nicht dorthin kommt ({front}); weniger als 90 insgesamt</translation>
@@ -9591,11 +9606,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
-            <translation>{value:g} betrifft die Krümmung, und Flächen vom Grad 1 sind zwischen Kanten eben; {field} von mindestens 2</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>das Element ist verkippt, was {who} nicht berücksichtigen kann; 0</translation>
         </message>
@@ -9618,6 +9628,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/train.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>keine Fläche wird entworfen; eine Fläche der Form 'bspline'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
+            <translation>{value:g} betrifft die Krümmung, und Flächen vom Grad 1 sind zwischen Kanten eben; {field} von mindestens 2</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train.py" />
@@ -9663,21 +9678,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/train.py" />
             <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
             <translation>{place} liegt nicht, wohin Licht von {name} geht; {by:g} weiter entlang dessen Achse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
-            <translation>zusammen mit einer Wellenlänge von {wavelength:g} µm angegeben; nur eines von beiden</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>{count} lines are given; 1 to {most}</source>
-            <translation>{count} Linien sind angegeben; 1 bis {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>all parts of the flux are 0; one above 0</source>
-            <translation>alle Anteile des Flusses sind 0; mindestens einer über 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />

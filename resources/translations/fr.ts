@@ -9525,6 +9525,21 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
+            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>{count} lines are given; 1 to {most}</source>
+            <translation>{count} raies sont données ; 1 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/source.py" />
+            <source>all parts of the flux are 0; one above 0</source>
+            <translation>toutes les parts du flux sont 0 ; une au-dessus de 0</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/sources.py" />
             <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
             <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
@@ -9591,11 +9606,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
-            <translation>{value:g} concerne la courbure, et les faces de degré 1 sont planes entre les arêtes ; {field} d'au moins 2</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>l'élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
         </message>
@@ -9618,6 +9628,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/train.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
             <translation>aucune face n'est à concevoir ; une face de forme 'bspline'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/train.py" />
+            <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
+            <translation>{value:g} concerne la courbure, et les faces de degré 1 sont planes entre les arêtes ; {field} d'au moins 2</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/train.py" />
@@ -9663,21 +9678,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/train.py" />
             <source>{place} is not where light of {name} goes; {by:g} farther along its axis</source>
             <translation>{place} n'est pas où va la lumière de {name} ; {by:g} plus loin le long de son axe</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>given together with a wavelength of {wavelength:g} µm; one of both</source>
-            <translation>donné avec une longueur d'onde de {wavelength:g} µm ; l'un des deux</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>{count} lines are given; 1 to {most}</source>
-            <translation>{count} raies sont données ; 1 à {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/train.py" />
-            <source>all parts of the flux are 0; one above 0</source>
-            <translation>toutes les parts du flux sont 0 ; une au-dessus de 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />
