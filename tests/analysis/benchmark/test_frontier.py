@@ -11,7 +11,8 @@ from workbench.errors import RunFailed
 
 @pytest.fixture
 def effort(make_example):
-    return Effort((make_example(),), tuple(METHODS), iterations=4, step=1.01, processes=1)
+    example = make_example({"source.rays": [48, 48], "screen.pixels": [24, 24]})
+    return Effort((example,), tuple(METHODS), iterations=4, step=1.01, processes=1)
 
 
 @pytest.fixture

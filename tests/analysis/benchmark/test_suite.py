@@ -22,8 +22,8 @@ from workbench.targets import load_target
 
 def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
     small = {
-        "images[0].receiver.pixels": 24,
-        "lens.back.control_points": 32,
+        "images[0].receiver.pixels": 16,
+        "lens.back.control_points": 20,
         "source.angular_diameter": 5.0,
         "run.iterations": 4,
     }
