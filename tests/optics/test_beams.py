@@ -1,7 +1,5 @@
 """The image of beams of light: exact cases, lenses, grids of points, and mirror symmetry."""
 
-import itertools
-
 import numpy as np
 import pytest
 import torch
@@ -54,7 +52,15 @@ SOURCES = {
 }
 
 
-@pytest.fixture(params=[*itertools.product(SOURCES, ["rectangle", "ellipse"])], ids="-".join)
+OUTLINES = {
+    "collimated": "ellipse",
+    "point": "rectangle",
+    "lambertian": "ellipse",
+    "grid": "rectangle",
+}
+
+
+@pytest.fixture(params=OUTLINES.items(), ids="-".join)
 def lit(request, make_scene):
     source, outline = request.param
     return make_scene(
@@ -71,21 +77,6 @@ def lit(request, make_scene):
 def wavy(lit, rng):
     flat = lit.optic.base.height + 0.01 * rng.standard_normal(ControlNet.of(lit.optic).shape)
     return torch.tensor(flat)
-
-
-def test_compiled_beams_equal_the_reference(lit, wavy, rng):
-    cotangent = torch.tensor(rng.standard_normal((16 + 2 * 3, 20 + 2 * 4)))
-    found = []
-    for plan in tracers(lit, dtype=torch.float64):
-        heights = wavy.clone().requires_grad_()
-        image, account = plan.trace({"lens.back": heights}, (4, 3))
-        (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
-        found.append((image.detach(), gradient, account))
-    (image, gradient, account), (twin, twins, other) = found
-    torch.testing.assert_close(image, twin, rtol=0, atol=1e-11)
-    assert (gradient - twins).norm() < 1e-6 * twins.norm()
-    assert account.to_data() == pytest.approx(other.to_data(), abs=1e-10)
-    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-12)
 
 
 def test_beams_and_many_rays_give_the_same_image(lit, wavy):

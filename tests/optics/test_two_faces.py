@@ -9,7 +9,6 @@ from tests.optics.landing import places_of
 from tests.optics.points import interpolating
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.path import Path
-from workbench.optics.plan import Plan
 
 INDEX = 1.5
 LENS = {
@@ -53,16 +52,6 @@ def fine(make_scene, changes):
     entrance = {"shape": "freeform", **net, "height_range": [-0.5, 0.5]}
     own = {f"lens.{name}": value for name, value in net.items()}
     return make_scene({**LENS, **own, "lens.entrance": entrance, **changes})
-
-
-@EACH
-def test_all_light_is_accounted_for_behind_two_faces(make_scene, rng, source):
-    scene = make_scene({**LENS, "version": 2, "source": source, "lens.absorption": 0.1})
-    light = Plan(scene, dtype=torch.float64).trace(wavy(scene, rng))
-    assert light.account.on_screen > 0
-    assert min(light.account.lost.values()) >= -1e-12
-    assert light.account.on_screen + sum(light.account.lost.values()) == pytest.approx(1, abs=1e-9)
-    assert light.account.lost["absorbed"] > 0
 
 
 @EACH

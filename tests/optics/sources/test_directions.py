@@ -32,20 +32,6 @@ def places(scene):
 
 
 @ALL
-def test_all_light_is_accounted_for(make_scene, source):
-    scene = make_scene({"source": source})
-    heights = {"lens.back": smooth(scene)}
-    for light in (
-        BeamPlan(scene, Corners(32, 32, 16), dtype=torch.float64).trace(heights),
-        Plan(scene, dtype=torch.float64).trace(heights),
-    ):
-        account = light.account
-        assert account.on_screen > 0.2
-        assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
-        assert min(account.lost.values()) > -1e-9
-
-
-@ALL
 def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     scene = make_scene({"source": source | {"rays": [40, 40]}, "screen.pixels": [9, 8]})
     weight = torch.as_tensor(rng.normal(size=(8, 9)))

@@ -107,30 +107,6 @@ def test_degrees(make_scene, rng, degree):
         same(scene, tracers, face(scene, kind, rng), rng, torch.float64)
 
 
-@pytest.mark.parametrize("half_width", [(100.0, 1.0), (0.01, 1.0)])
-@pytest.mark.parametrize("points", [(4, 4), (64, 5)])
-def test_long_lenses(make_scene, rng, half_width, points):
-    scene = make_scene(
-        {
-            "source": POINT,
-            "filter": SMOOTH,
-            "lens.half_width": half_width,
-            "lens.control_points": points,
-            "lens.base": {"shape": "flat", "height": 0.5 * min(half_width)},
-            "lens.height_range": [-0.1 * min(half_width), 0.1 * min(half_width)],
-            "lens.min_thickness": 0,
-            "screen.half_width": [10, 10],
-        }
-    )
-    same(scene, twins(scene), face(scene, "spherical", rng), rng, torch.float64)
-
-
-@pytest.mark.parametrize("filter", [{"kind": "box"}, {"kind": "gaussian", "size": [3, 3]}])
-def test_filters_of_the_paper(make_scene, rng, filter):
-    scene = make_scene({"source": POINT, "filter": filter})
-    same(scene, twins(scene), face(scene, "wavy", rng), rng, torch.float64)
-
-
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_warm_starts_while_rays_move_from_patch_to_patch(make_scene, rng, dtype):
     scene = make_scene({"source": ASIDE, "filter": SMOOTH, "lens.control_points": [40, 32]})
