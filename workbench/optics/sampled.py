@@ -26,7 +26,7 @@ from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.rays import Arrival, Vector, seen
 from workbench.optics.samples import Corners, Places, Samples, areas_of, places, splits_side_by_side
-from workbench.optics.sources import CollimatedEmitter, PointEmitter
+from workbench.optics.sources import CollimatedEmitter, DirectionEmitter, PointEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.patterns import Patterns, tabulated
 from workbench.optics.steps import FaceStep
@@ -162,7 +162,7 @@ def is_even(train: SampledTrain, path: Path) -> bool:
 
 def _by_middles(path: Path) -> bool:
     """Whether samples in the middles of cells are those of the first freeform face."""
-    return isinstance(path.emitter, CollimatedEmitter | PointEmitter)
+    return isinstance(path.emitter, CollimatedEmitter | DirectionEmitter | PointEmitter)
 
 
 def _are_even(samples: Samples) -> bool:

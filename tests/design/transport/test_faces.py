@@ -74,6 +74,7 @@ def test_rays_meet_a_bowl_within_a_hundredth_of_a_cell(middles, rng):
 
 SOURCES = {
     "collimated": {"kind": "collimated"},
+    "slanted": {"kind": "collimated", "direction": [2.0, -3.0]},
     "point": {"kind": "point", "position": [0.1, 0.0, -5.0]},
     "sun": {"kind": "collimated", "angular_diameter": 0.533},
 }
@@ -146,3 +147,17 @@ def test_light_of_a_mirror_goes_where_it_went():
     heights = designed(before)
     off = lands(scene, refitted(before, heights, scene)) - lands(before, heights)
     assert np.sqrt(np.square(off).mean()) < 2e-3
+
+
+def test_slanted_light_leaves_a_strip_of_the_exit_face_dark():
+    """It enters a plate 0.5 thick through its aperture, and goes towards +x in it."""
+    source = {"kind": "collimated", "direction": [0.0, 20.0]}
+    scene = Scene.from_data(DATA | {"source": source})
+    net, cells = ControlNet.of(scene.optic), 128
+    flux = FaceLight(scene, net, SlopeFit(net, cells), cells).flux(np.full(net.shape, 0.5))
+    (way,) = scene.source.directions(np.zeros(1), np.zeros(1))
+    aside = 0.5 * np.tan(np.arcsin(way[:2] / scene.optic.index))
+    dark = np.flatnonzero(flux.sum(axis=1) == 0)
+    assert aside[0] > 0.1 and aside[1] == pytest.approx(0)
+    assert len(dark) == pytest.approx(aside[0] / 2 * cells, abs=2)
+    assert dark[0] == 0 and np.ptp(dark) == len(dark) - 1

@@ -24,7 +24,14 @@ from workbench.scene import (
 )
 from workbench.scene.part import row_of
 
-__all__ = ["CollimatedEmitter", "Emitter", "Origins", "PointEmitter", "emitter_of"]
+__all__ = [
+    "CollimatedEmitter",
+    "DirectionEmitter",
+    "Emitter",
+    "Origins",
+    "PointEmitter",
+    "emitter_of",
+]
 
 
 def _collimated(source: CollimatedSource, optic: Element, samples: Samples | None) -> Emitter:
