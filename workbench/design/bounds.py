@@ -261,7 +261,6 @@ class Bounds:
         return Shortfall("entrance_range", None, allowed, share) if share >= _FULL else None
 
     def _at_shaped_face(self, heights: Array) -> Shortfall | None:
-        """What the face that the task shapes lacks."""
         looked = self._found is not None
         if not looked and self._lens.height_range is None:
             return None  # nothing has been chosen yet that heights could be at an end of
@@ -274,7 +273,6 @@ class Bounds:
         return self._need(share) or (self._held(low, high, share) if share >= _MANY else None)
 
     def _need(self, share: float) -> Shortfall | None:
-        """What the first lens lacks."""
         if self.first is None:
             return None
         first, limits = self.first[self._face], self.limits[self._face]
@@ -300,7 +298,6 @@ class Bounds:
         return Shortfall("height_range", needed, allowed, share)
 
     def _held(self, low: Mask, high: Mask, share: float) -> Shortfall:
-        """What keeps most of the heights that are at an end."""
         optic, limits = self._ranged, self._ranged_limits
         assert optic.height_range is not None
         thin, thick = low & (limits.lower == optic.floor), high & (limits.upper == optic.ceiling)
@@ -321,11 +318,9 @@ class Bounds:
 
     @cached_property
     def _ranged(self) -> Element:
-        """The lens with a height range in any case."""
         return self._with_range(self._lens)
 
     def _with_range(self, lens: Element) -> Element:
-        """A bounded element with a height range in any case."""
         if lens.height_range is not None:
             return lens
         face = lens.designed_face
@@ -339,7 +334,6 @@ class Bounds:
 
     @cached_property
     def _ranged_limits(self) -> HeightLimits:
-        """What it allows at the face that the task shapes."""
         return HeightLimits.of(self._ranged, self._net)
 
 

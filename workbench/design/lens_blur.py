@@ -353,5 +353,4 @@ def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None
 def _image(
     plan: BeamPlan | BlurredPlan, heights: Mapping[str, Tensor], margin: tuple[int, int]
 ) -> Array:
-    """The image that a plan makes of a lens."""
     return np.asarray(plan.trace(heights, margin).flux.double().cpu().numpy())

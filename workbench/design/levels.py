@@ -10,8 +10,7 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.design.images import AnyImage, SeveralImages, WideImage
-from workbench.design.lens_blur import LensBlur, directions_at_receiver, lens_blur_of
-from workbench.extended.blurring import ImageBlur
+from workbench.design.lens_blur import directions_at_receiver, lens_blur_of
 from workbench.extended.scattering import film_scene, scattering_of
 from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import of_known_size
@@ -112,27 +111,6 @@ _PER_RADIAN, _MOST_OF_SOURCE = 14.0, 14
 _FEW, _TOO_FAR = (2, 2), 0.2
 
 
-def image_of(
-    level: Level,
-    scene: Scene,
-    target: Array,
-    light_extent: tuple[float, float],
-    mirrored: tuple[bool, bool] = (False, False),
-    blur: LensBlur | None = None,
-    asked_light: float | None = None,
-    cells: Corners | None = None,
-    scattering: ImageBlur | None = None,
-) -> WideImage:
-    """The image by which a level compares lenses.
-
-    `level`: says how many cells make it; `target` (n_y, n_x): the wanted image in any scale, row 0
-    at +y; `cells`: in place of those of the level; see `fitting_source_cells`.
-    """
-    cells = cells or cells_of(level, scene, mirrored, sharp=blur is not None)
-    how = mirrored, blur, asked_light, scattering
-    return WideImage(scene, target, cells, light_extent, *how)
-
-
 def cells_of(
     level: Level, scene: Scene, mirrored: tuple[bool, bool] = (False, False), sharp: bool = False
 ) -> Corners:
@@ -206,22 +184,20 @@ def _image_of(
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool],
 ) -> WideImage:
-    """One of the images of a scene, for lenses like one that is there."""
     scene, cells = film_scene(image.scene), None
     extended = _origins(scene) > 1
     blur = lens_blur_of(scene, heights) if extended else None
     scattering = scattering_of(image.scene, directions_at_receiver(image.scene, heights))
     if extended and blur is None:
         cells = fitting_source_cells(scene, heights, mirrored)
-    return image_of(
-        level,
+    return WideImage(
         scene,
         image.target,
+        cells or cells_of(level, scene, mirrored, sharp=blur is not None),
         light_extent_of(scene, heights),
         mirrored,
         blur,
         asked_light_of(scene, heights),
-        cells,
         scattering,
     )
 

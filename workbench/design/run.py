@@ -204,7 +204,6 @@ def _check_lit(part: Scene) -> None:
 
 
 def _check_fixed(part: Scene, start: Mapping[str, Array]) -> None:
-    """Refuse a fixed face without control heights."""
     for number, element in enumerate(part.elements):
         for placed, face in element.fixed_faces:
             if face.content is None and placed.name not in start:
@@ -229,7 +228,6 @@ def _check_net(part: Scene, finished: Scene) -> None:
 
 
 def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:
-    """The lens of a stage as one of the whole design."""
     shortfall = bounds.shortfall(state.heights)
     heights = _carried(state.heights, bounds.scene, scene)
     return replace(state, shortfall=shortfall, heights=heights)
@@ -274,7 +272,6 @@ def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
 
 
 def _carried(heights: ControlHeights, scene: Scene, other: Scene) -> ControlHeights:
-    """Control heights of a scene on the nets of another one."""
     nets, others = nets_of(scene), nets_of(other)
     if nets == others:
         return heights

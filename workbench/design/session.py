@@ -375,12 +375,10 @@ def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:
 
 
 def _unhindered(result: Result) -> Result:
-    """A result without what is said of limits that are no more."""
     return result if result.state.shortfall is None else result.with_state(shortfall=None)
 
 
 def _limits(scene: Scene) -> tuple[object, ...]:
-    """What tells where control heights may be."""
     return tuple(
         (
             lens.height_range and (lens.height_range, lens.base),

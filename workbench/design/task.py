@@ -163,7 +163,6 @@ def with_file(session: Session, folder: Path) -> Session:
 
 
 def _with_drawn(session: Session, task: Session) -> Session:
-    """The session after an edit, with the target of a task that has just been drawn."""
     edited = session.with_scene(task.scene, task.target)
     return replace(edited, picture=task.picture, remarks=task.remarks)
 
@@ -207,7 +206,6 @@ def _is_of(session: Session, run: KeptRun) -> bool:
 
 
 def _differences(run: KeptRun, session: Session) -> list[Message]:
-    """Fields of the run's task whose values are others now."""
     then, now = (
         {path: value for path, value in _fields(each.scene.to_data(), "") if path[:4] != "run."}
         for each in (run, session)
@@ -226,7 +224,6 @@ def _differences(run: KeptRun, session: Session) -> list[Message]:
 
 
 def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:
-    """Paths and values of plain data, as deep as there are names."""
     if isinstance(part, dict):
         for name, value in part.items():
             yield from _fields(value, f"{path}.{name}" if path else name)

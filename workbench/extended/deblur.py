@@ -255,8 +255,6 @@ def _search(
 
 
 class _Search:
-    """Approaches a target of sum 1 step by step."""
-
     def __init__(self, kernels: Array, wanted: Array) -> None:
         self._wanted: AnyArray = wanted.astype(np.float32)
         self._set_kernels(kernels)

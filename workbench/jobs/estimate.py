@@ -84,7 +84,6 @@ def estimating(session: Session) -> Generator[float, None, Estimate | None]:
 
 
 def _least(session: Session) -> Generator[float, None, float]:
-    """Lower bound of the error by the blur of the source; 0 without one."""
     bound = Bound(session.scene, session.target)
     if not bound.known:
         return 0.0

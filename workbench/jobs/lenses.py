@@ -189,7 +189,6 @@ class WallWasher(LensJob):
         return self.through_lens(light, self._wall())
 
     def _wall(self) -> dict[str, Any]:
-        """The wall as the lamp sees it, which looks half-way between its lower and upper edge."""
         half = self.wall_size[1] / 2
         down, up = (math.atan2(edge - self.above, self.wall_distance) for edge in (-half, half))
         aim = (down + up) / 2

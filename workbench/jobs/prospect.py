@@ -100,7 +100,6 @@ def _range(estimate: Estimate) -> str:
 
 
 def _lit(session: Session) -> tuple[float, float, float, float]:
-    """Left, right, bottom and top of the lit part of the receiver."""
     bright = session.target > _BLACK * session.target.max()
     left, right, bottom, top = session.scene.receiver.bounds
     n_y, n_x = bright.shape
@@ -178,7 +177,6 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
-    """Grazing incidence on the receiver; empty where it does no harm."""
     said = grazed(scene)
     if said is None:
         return ()
@@ -210,7 +208,6 @@ def _light_of(scene: Scene) -> _Light:
 
 
 def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
-    """Part of the light that meets the element; empty where all of it does."""
     optic, caught = scene.optic, light.caught
     if caught > _ALL:
         return ()

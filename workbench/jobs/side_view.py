@@ -90,7 +90,6 @@ def _seen(scene: Scene, axis: int, steps: Array) -> Array:
 
 
 def _beginnings(scene: Scene, places: Array, image: Array, axis: int) -> Array:
-    """Starts of the rays to points of the element."""
     source = scene.source
     if source.place is not None:
         return np.broadcast_to(np.array(source.place)[[2, axis]], places.shape)
@@ -121,6 +120,5 @@ def _distance(first: Array, last: Array, unit: str) -> Dimension:
 
 
 def _straight_to(here: Array, image: Array) -> Array:
-    """Nearest point on the line through the image."""
     along = image[-1] - image[0]
     return np.asarray(image[0] + along * ((here - image[0]) @ along) / (along @ along))

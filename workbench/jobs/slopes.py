@@ -76,7 +76,6 @@ def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None =
 
 
 def _coming(scene: Scene, x: Array, y: Array) -> Array:
-    """Directions (n, n, 3) of the light before the element, as of a small source."""
     source, optic = scene.source.sharp, scene.optic
     if source.place is None:
         way = source.heading

@@ -89,7 +89,6 @@ class Chart(NamedTuple):
         return between(x, (self.x, self.y)), between(y, (self.x, self.y))
 
     def _back(self, to_x: Array, to_y: Array) -> Pair:
-        """The cells of the view at places of the chart."""
         return whence((self.x, self.y), (to_x, to_y), (to_x, to_y))
 
 
@@ -162,7 +161,6 @@ def chart_of(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Charted
 def _straightest(
     faces: Faces, wanted: Array, heights: Array, flux: Array, fits: int
 ) -> Charted | None:
-    """The chart in which faces miss least, and the lens found in it."""
     view, light = faces.view, faces.light
     transport = Transport(flux, wanted, view.weights(view.half_extent))
     for again in (False, True):

@@ -275,12 +275,10 @@ class Faces:
         return slopes
 
     def _wanted(self, to: Pair, heights: Array) -> Pair:
-        """Slopes in all cells of a face like another that send light to places."""
         z = self._fit.surface(heights)
         return self._slopes((self.light.x, self.light.y, z), self.light.direction(z), to)
 
     def _slopes(self, place: Vector, coming: Vector, to: Pair) -> Pair:
-        """Slopes of the face that send light from places on it to places on the receiver."""
         optic, (d_x, d_y, d_z) = self.scene.optic, coming
         out_x, out_y, out_z = self.scene.receiver.towards(optic, place, *to)
         # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
@@ -290,7 +288,6 @@ class Faces:
 
 
 def _coarsely(values: Array) -> Array:
-    """Means of values over blocks of cells."""
     size = len(values) // _BLOCKS
     kept = values[: size * _BLOCKS, : size * _BLOCKS]
     return np.asarray(kept.reshape(_BLOCKS, size, _BLOCKS, size).mean((1, 3)))

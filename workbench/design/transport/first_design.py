@@ -135,7 +135,6 @@ def _best(
 
 
 def _chosen(errors: Mapping[Message, float], best: Message) -> Message:
-    """What was tried, how good it is, and what was taken."""
     tried = {
         f"first_{number}": Message(
             "{error} % by {face}", error=written(100 * error, digits=2), face=face
@@ -213,7 +212,6 @@ def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | 
 
 
 def _roughly(scene: Scene) -> Scene:
-    """The scene on a net that is quickly fitted."""
     n_u, n_v = (min(count, _ROUGH) for count in scene.optic.net_shape)
     return scene.with_optic(scene.optic.shaped(control_points=(n_u, n_v)))
 

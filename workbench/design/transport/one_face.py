@@ -21,7 +21,8 @@ from typing import NamedTuple, Self
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.levels import COARSE, image_of
+from workbench.design.images import WideImage
+from workbench.design.levels import COARSE, cells_of
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
@@ -136,7 +137,7 @@ def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> fl
     Heights beyond their limits are brought within first.
     """
     limits = HeightLimits.of_faces(bounded(scene))
-    image = image_of(COARSE, scene, target, scene.receiver.half_extent)
+    image = WideImage(scene, target, cells_of(COARSE, scene), scene.receiver.half_extent)
     near = {face: limits[face].nearest(z) for face, z in heights.items()}
     return relative_error(image.step(tensors_of(near, scene)).state, target)
 

@@ -136,7 +136,6 @@ def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
 
 
 def _places(scene: Scene, transport: Transport) -> Array:
-    """Where the light of each cell should go, shape (cells, cells, 3)."""
     return scene.receiver.drawn(scene.optic, *ReceiverView.of(scene).places(transport))
 
 

@@ -91,14 +91,12 @@ def first_lines(along: Tensor) -> Tensor:
 
 
 def _splits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:
-    """Splits along the first axis of the nodes, and along the second."""
     each = repeated(splits[1], nodes.shape[1]), splits[0]
     along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
     return along_u, along_v
 
 
 def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
-    """See `workbench.optics.kernels.beam_image`."""
     shift = torch.zeros_like(hits)
     for axis in (0, 1):
         lines, moved = hits.transpose(0, axis), shift.transpose(0, axis)
@@ -199,7 +197,6 @@ def reference_box_image(
 
 
 def _sides(hits: Tensor) -> _Sides:
-    """What there is along one axis of the sides of cells."""
     a, b, c, d = hits[:-1, :-1], hits[:-1, 1:], hits[1:, :-1], hits[1:, 1:]
     return (a + b + c + d) / 4, (b + d - a - c) / 2, (c + d - a - b) / 2
 

@@ -130,7 +130,6 @@ def _taken(values: Tensor, at: Tensor) -> Tensor:
 
 
 def _beside_the_rim(beside: Tensor) -> tuple[Tensor, Tensor]:
-    """Numbers of cells of which some corners, not all, are beside the rim."""
     pairs = beside[:-1] | beside[1:], beside[:-1] & beside[1:]
     some, all_of_them = pairs[0][:, :-1] | pairs[0][:, 1:], pairs[1][:, :-1] & pairs[1][:, 1:]
     i, j = (some & ~all_of_them).nonzero().unbind(1)
@@ -184,7 +183,6 @@ def _cut(corners: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
 
 
 def _area(x: Tensor, y: Tensor) -> Tensor:
-    """Signed areas of polygons with corners along the last axis."""
     return 0.5 * (x * y.roll(-1, 1) - x.roll(-1, 1) * y).sum(1)
 
 
@@ -238,7 +236,6 @@ def _split_cells(nodes: Tensor, room: Tensor | None) -> tuple[Tensor, tuple[Tens
 
 
 def _corners(values: Tensor) -> Tensor:
-    """Values at the corners a, b, c, d of cells."""
     return torch.stack([values[:-1, :-1], values[1:, :-1], values[1:, 1:], values[:-1, 1:]])
 
 

@@ -34,8 +34,6 @@ _MOVES = 0.2
 
 
 class _Face(NamedTuple):
-    """The first freeform face of an optic."""
-
     depth: float  # how far it is behind the aperture
     moves: float  # how far it may come from there
     inside: float  # refractive index of what is before it
@@ -73,7 +71,6 @@ def where_lit(corners: Corners, source: Source, optic: Element) -> Corners:
 
 
 def _of_beam(source: CollimatedSource, optic: Element, face: _Face, axis: int) -> Crowd:
-    """Where a beam is on a face along an axis."""
     half, rim = optic.half_width[axis], np.linspace(0, 2 * math.pi, 8, endpoint=False)
     ways = source.directions(np.append(0.0, np.cos(rim)), np.append(0.0, np.sin(rim)))
     slopes = ways[:, axis] / np.sqrt(face.inside**2 - 1 + ways[:, 2] ** 2)
@@ -85,7 +82,6 @@ def _of_beam(source: CollimatedSource, optic: Element, face: _Face, axis: int) -
 
 
 def _of_points(source: AreaSource | LightOfPoints, optic: Element, face: _Face, axis: int) -> Crowd:
-    """Where the light of points is on a face along an axis."""
     half, place = optic.half_width[axis], source.place
     away = (optic.front_z - place[2]) * face.inside + face.depth
     wide = max((abs(corner[axis] - place[axis]) for corner in source.corners), default=0.0)
@@ -93,7 +89,6 @@ def _of_points(source: AreaSource | LightOfPoints, optic: Element, face: _Face, 
 
 
 def _of_lamp(source: PhotometricSource, optic: Element, face: _Face) -> tuple[Crowd, Crowd]:
-    """Where the light of a lamp is on a face, along x and y."""
     light, *away = light_of_table(source).onto(optic.front_z - source.position[2])
     entered = np.stack(away) + np.array(source.position[:2])[:, None]
     slopes = light.direction.T[:2] / np.sqrt(face.inside**2 - 1 + light.direction[:, 2] ** 2)
@@ -110,7 +105,6 @@ def _of_lamp(source: PhotometricSource, optic: Element, face: _Face) -> tuple[Cr
 
 
 def _of_bulk(place: Array, slope: Array, flux: Array, half: float, moves: float) -> Crowd:
-    """Where light at places with some slopes is along an axis."""
     low, high = bulk_of(place, flux, _TAIL)
     moved = moves * abs(float(np.average(slope, weights=flux)))
     middle = min(max((low + high) / 2 / half, -1.0), 1.0)

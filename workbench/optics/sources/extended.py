@@ -91,7 +91,6 @@ class ExtendedEmitter(Emitter):
         return self.origins_at(spread(samples.origins, self.outline, self.aspect))
 
     def _drawn(self, seed: int, draw: int) -> RayBundle:
-        """Rays between low-discrepancy places of the source and of the face."""
         from scipy.stats import qmc  # late: it takes most of a second to import
 
         count = self._rays

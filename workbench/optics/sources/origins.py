@@ -273,6 +273,5 @@ def vector(parts: Sequence[Array]) -> Vector:
 
 
 def _alike(d_x: Array, d_y: Array, d_z: Array, other: Array) -> tuple[Array, Array, Array]:
-    """Directions in the shape of another array."""
     x, y, z = (np.broadcast_to(part, other.shape) for part in (d_x, d_y, d_z))
     return x, y, z
