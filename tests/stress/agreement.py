@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.stress.random_tasks import random_task
+from tests.stress.random_tasks import TaskDraw, random_task
 from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
 from workbench.design.run import run
@@ -24,9 +24,11 @@ _SHARE_OF_RUN = 0.03
 _ROUNDING = 1e-4
 
 
-def disagreements(seed: int, number: int) -> tuple[bool, list[str]]:
+def disagreements(
+    seed: int, number: int, draw: type[TaskDraw] = TaskDraw
+) -> tuple[bool, list[str]]:
     """Whether a task could be traced, and in what its traces contradict each other."""
-    data, scene = random_task(seed, number)
+    data, scene = random_task(seed, number, draw)
     if scene is None:
         return False, []
     try:

@@ -20,6 +20,8 @@ RECEIVERS = ("screen", "screen", "far_field")
 class TaskDraw:
     """Draws the fields of one task; the same seed and number draw the same task."""
 
+    files = LAMPS
+
     def __init__(self, seed: int, number: int) -> None:
         self._random = np.random.default_rng([seed, number])
 
@@ -132,10 +134,12 @@ class TaskDraw:
         }
 
 
-def random_task(seed: int, number: int) -> tuple[dict[str, Any], Scene | None]:
+def random_task(
+    seed: int, number: int, draw: type[TaskDraw] = TaskDraw
+) -> tuple[dict[str, Any], Scene | None]:
     """The data of a task and its scene, or None if the scene is refused."""
-    data = TaskDraw(seed, number).scene()
+    data = draw(seed, number).scene()
     try:
-        return data, Scene.from_data(data).carrying(LAMPS)
+        return data, Scene.from_data(data).carrying(draw.files)
     except Refused:
         return data, None

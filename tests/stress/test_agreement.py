@@ -1,8 +1,8 @@
 """Random tasks of all kinds: a run, cells and random rays say the same of each.
 
-``pytest -m slow tests/stress/test_agreement.py -n 2`` traces 400 tasks in 40 parts. With
-``--last-failed`` the parts that failed are traced again, ``-k part_7`` takes one part, and
-FREEFORM_STRESS_SEED draws other tasks.
+``pytest -m slow tests/stress/test_agreement.py -n 2`` traces 400 tasks of one element and
+400 trains in 80 parts. With ``--last-failed`` the parts that failed are traced again,
+``-k part_7`` takes two parts, and FREEFORM_STRESS_SEED draws other tasks.
 """
 
 import os
@@ -11,17 +11,24 @@ import pytest
 
 from tests.stress.agreement import contradictions, disagreements
 from tests.stress.lamps import LAMPS
+from tests.stress.random_tasks import TaskDraw
+from tests.stress.random_trains import TrainDraw
 from workbench.scene import Scene
 
 SEED = int(os.environ.get("FREEFORM_STRESS_SEED", "1"))
 PARTS, EACH = 40, 10
 # Some that are traced fast; together of all kinds of sources, optics and receivers.
 FEW = (3, 4, 18, 43, 44, 45, 48, 57)
+# A designed mirror between lenses, and a fixed B-spline face, both in light of two colours.
+FEW_TRAINS = (6, 43)
 
 
-@pytest.mark.parametrize("number", FEW)
-def test_some_tasks(number):
-    traced, said = disagreements(1, number)
+@pytest.mark.parametrize(
+    ("draw", "number"),
+    [*((TaskDraw, each) for each in FEW), *((TrainDraw, each) for each in FEW_TRAINS)],
+)
+def test_some_tasks(draw, number):
+    traced, said = disagreements(1, number, draw)
     assert traced
     assert not said, "\n".join(said)
 
@@ -85,8 +92,9 @@ def test_tasks_that_users_reported(task):
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
 @pytest.mark.parametrize("part", range(PARTS), ids=lambda part: f"part_{part}")
-def test_many_tasks(part):
-    found = [disagreements(SEED, EACH * part + number) for number in range(EACH)]
+@pytest.mark.parametrize("draw", [TaskDraw, TrainDraw], ids=["one_element", "trains"])
+def test_many_tasks(part, draw):
+    found = [disagreements(SEED, EACH * part + number, draw) for number in range(EACH)]
     assert any(traced for traced, _ in found)  # most tasks are no refusals
     said = [each for _, some in found for each in some]
     assert not said, "\n".join(said)

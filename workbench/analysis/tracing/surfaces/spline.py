@@ -14,6 +14,7 @@ from workbench.scene import Element
 
 # Places on the rim, over the half-width, by rounding.
 _RIM = 1 + 1e-9
+_LEVEL = 1e-12  # sine of the angle to the plane z = const below which rays count as level
 # How many places along a ray are looked at, at least and at most, whether it is back at the face,
 # and how far behind the face it is then at least, over the half-width.
 _LOOKS, _CLOSE = (32, 512), 1e-9
@@ -145,7 +146,8 @@ class LaterFace(SplineFace):
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays from far below first meet it; see `TracedFace.meet`."""
         up = rays.direction[:, 2:]
-        ahead = (self._lowest - rays.position[:, 2:]).clip(min=0) / np.where(up > 0, up, np.inf)
+        up = np.where(up > _LEVEL, up, np.inf)  # level rays never come to the face
+        ahead = (self._lowest - rays.position[:, 2:]).clip(min=0) / up
         begin = rays.position + ahead * rays.direction
         return self._inside(super().meet(rays._replace(position=begin)))
 
