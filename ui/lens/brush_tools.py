@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.views.tools import ARROWS, Pointer
+from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array, Mask
 from workbench.design.brush import Stroke, bump, resized
@@ -104,11 +104,10 @@ class Brush:
         return None if optic is None else freeform_nets(optic)[self._view.nets.face]
 
 
-class BrushTool(QObject):
+class BrushTool(Tool):
     """A tool with a brush, which arrow keys move."""
 
     shows_net = True
-    shows_handles = False
     keys: Set[int] = ARROWS.keys()
 
     def __init__(self, view: "SceneView", brush: Brush, parent: QObject) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.views.tools import ARROWS, Pointer
+from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.source_handles import ElementHandle, Handle, moved
@@ -36,7 +36,7 @@ class _Drag:
     by: Array  # shape (3,), scene units
 
 
-class MoveSource(QObject):
+class MoveSource(Tool):
     """The tool for the source, and for elements of a train."""
 
     begun = Signal()
@@ -44,7 +44,6 @@ class MoveSource(QObject):
     cancelled = Signal()
 
     cursor = Qt.CursorShape.OpenHandCursor
-    shows_net = False
     shows_handles = True
     keys: Set[int] = _STEPS.keys()
 
@@ -112,12 +111,6 @@ class MoveSource(QObject):
         drag, self._drag = self._drag, None
         if drag is not None:
             self.cancelled.emit()
-
-    def hover(self, at: Pointer | None) -> None:
-        """Do nothing: the handles are visible."""
-
-    def turn_wheel(self, steps: int) -> None:
-        """Do nothing: the tool has no size."""
 
     def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
         scene = self._scene()

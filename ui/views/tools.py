@@ -11,7 +11,7 @@
 
 from collections.abc import Set
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
@@ -47,20 +47,22 @@ class Pointer:
     along: bool = False
 
 
-class Tool(Protocol):
-    """Tool that uses the left button, and some keys."""
+class Tool(QObject):
+    """Tool that uses the left button, and some keys; what it does not override does nothing."""
 
-    cursor: Qt.CursorShape
-    shows_net: bool
-    shows_handles: bool
-    keys: Set[int]
+    cursor = Qt.CursorShape.ArrowCursor
+    shows_net = False
+    shows_handles = False
+    keys: Set[int] = frozenset()
 
     @property
     def hint(self) -> str:
         """What the tool does, in one line."""
+        return ""
 
     def press(self, at: Pointer) -> bool:
         """Begin a drag; False leaves the button to the camera."""
+        return False
 
     def drag(self, at: Pointer) -> None:
         """Continue a drag."""

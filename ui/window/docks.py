@@ -3,7 +3,7 @@
 import base64
 import binascii
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import (
     QByteArray,
@@ -41,6 +41,7 @@ from ui.window.edit_notices import RefusedFields
 from ui.words import in_sentence, later, tr
 
 if TYPE_CHECKING:
+    from ui.views.scene_view import SceneView
     from workbench.files.session import Session
 
 
@@ -285,22 +286,12 @@ class Layout:
 _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"
 
 
-class CameraView(Protocol):
-    """A view with a camera."""
-
-    def camera(self) -> dict[str, Any] | None:
-        """Camera as plain data; None before the first drawing."""
-
-    def set_camera(self, camera: dict[str, Any]) -> None:
-        """Restore the camera; raise ValueError if it is invalid."""
-
-
 class ViewState:
     """How a design is shown (docks, options, camera), as plain data."""
 
     def __init__(self, commands: Commands, layout: Layout, log: Callable[[str], None]) -> None:
         self._commands, self._layout, self._log = commands, layout, log
-        self._eye: CameraView | None = None
+        self._scene_view: SceneView | None = None
         self._waiting: Mapping[str, Any] | None = None  # for the views
 
     def to_data(self) -> dict[str, Any]:
@@ -308,7 +299,7 @@ class ViewState:
             return dict(self._waiting)
         on = [name for name in LOOK if self._commands[name].isChecked()]
         data: dict[str, Any] = {_LAYOUT: self._layout.to_text(), _ON: on}
-        camera = None if self._eye is None else self._eye.camera()
+        camera = None if self._scene_view is None else self._scene_view.camera()
         return data if camera is None else {**data, _CAMERA: camera}
 
     def restore(self, data: Mapping[str, Any] | None) -> None:
@@ -317,21 +308,21 @@ class ViewState:
         if data is None:
             return
         self._try("docks", lambda: self._layout.restore(_of_kind(data, _LAYOUT, str)))
-        if self._eye is None:
+        if self._scene_view is None:
             self._waiting = data
         else:
-            self._restore_look(data, self._eye)
+            self._restore_look(data, self._scene_view)
 
-    def attach(self, eye: CameraView) -> None:
-        self._eye = eye
+    def attach(self, scene_view: "SceneView") -> None:
+        self._scene_view = scene_view
         if self._waiting is not None:
-            self._restore_look(self._waiting, eye)
+            self._restore_look(self._waiting, scene_view)
             self._waiting = None
 
-    def _restore_look(self, data: Mapping[str, Any], eye: CameraView) -> None:
+    def _restore_look(self, data: Mapping[str, Any], scene_view: "SceneView") -> None:
         self._try("choices", lambda: self._switch(_of_kind(data, _ON, list)))
         if _CAMERA in data:
-            self._try("camera", lambda: eye.set_camera(_of_kind(data, _CAMERA, dict)))
+            self._try("camera", lambda: scene_view.set_camera(_of_kind(data, _CAMERA, dict)))
 
     def _switch(self, on: list[Any]) -> None:
         for name in LOOK:
