@@ -69,6 +69,21 @@ def test_a_small_edit_goes_on_from_the_lens_that_is_there(designed):
     assert first.iteration == 1
 
 
+def test_a_second_designed_lens_begins_anew(designed):
+    (lens,) = designed.scene.elements
+    second = lens.model_copy(update={"name": "second", "position": (0.0, 0.0, 2.0)})
+    scene = designed.scene.model_copy(update={"elements": (lens, second)})
+    asked = []
+
+    def generate(scene, target, start, locked):
+        asked.append(start)
+        yield from ()
+
+    edited = replace(designed, scene=scene, result=None)
+    assert not list(LiveDesign(generate).snapshots(edited, before=designed))
+    assert asked == [None]
+
+
 def test_a_large_edit_sends_the_light_anew_by_transport(designed):
     spy = Spy()
     edited = moved(designed, 9)

@@ -154,8 +154,11 @@ class LiveDesign:
         if before.result is None or not np.array_equal(before.target, target):
             return None
         face = scene.optic.designed_face
+        formed = before.result.state.heights.get(face)
+        if formed is None:  # as of an element that is new
+            return None
         former, scene = definite(before.scene, target), definite(scene, target)
-        heights = self._refit(former, before.result.state.heights[face], scene)
+        heights = self._refit(former, formed, scene)
         return None if heights is None else FaceArrays({face: heights})
 
     def _first(self, steps: Generator[Snapshot, None, str]) -> Snapshot | None:
