@@ -12,7 +12,8 @@ import torch
 from tests.benchmarks.kernels import wavy
 from tests.scenes import changed
 from workbench.design import memory
-from workbench.design.levels import FINE, cells_of, image_of, source_cells
+from workbench.design.images import WideImage
+from workbench.design.levels import FINE, cells_of, source_cells
 from workbench.design.memory import auto_memory, check_auto
 from workbench.design.run import run
 from workbench.errors import Refused
@@ -79,7 +80,8 @@ def evaluation_peak(scene):
     """Bytes that an evaluation of a lens takes with its gradient, measured."""
     heights = {scene.optic.designed_face: torch.as_tensor(wavy(scene))}
     extent, cells = scene.receiver.half_extent, source_cells(scene)
-    image = image_of(FINE, scene, load_target(scene, None), extent, blur=None, cells=cells)
+    cells = cells or cells_of(FINE, scene)
+    image = WideImage(scene, load_target(scene, None), cells, extent)
 
     def evaluate():
         given = {face: each.clone().requires_grad_() for face, each in heights.items()}
