@@ -220,7 +220,7 @@ ACTIONS: dict[Callable[[MainWindow, Random, Path], str], int] = {
     size: 4,
     poke: 10,
     poke_scene: 8,
-    drop: 2,
+    drop: 4,
     recolour: 1,
     close: 2,
     rest: 12,

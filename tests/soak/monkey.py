@@ -30,6 +30,7 @@ import resources
 from tests.soak.actions import ACTIONS, windows
 from tests.soak.dialogs import answer, open_dialog
 from tests.soak.watch import Watch, resident_mb
+from tests.stress.random_trains import TrainDraw
 from ui import app
 from ui.main_window import MainWindow
 from ui.windows import Windows
@@ -37,6 +38,9 @@ from ui.windows import Windows
 REST_SECONDS = 60.0
 WARM_UP_SECONDS = 600.0  # until every library has been loaded that something needs
 GROWTH_MB, RESTS = 200.0, 5  # from then on, and so many rests of which the lowest counts
+# Drawn trains: a designed mirror between lenses; two designed lenses, a mirror and a diffuser; a
+# fixed B-spline face. The first and the last one in light of two colours.
+TRAINS = 6, 21, 43
 _THREADS = 2  # at rest: the window's and the watchdog
 _PATIENCE = 120.0  # seconds until a run has stopped or a window has closed, on a busy machine
 _ANSWER_MS = 150  # a dialog is looked at for so long
@@ -275,6 +279,10 @@ def _furnish(folder: Path) -> None:
         "run": {"iterations": 200},
     }
     (files / "small.json").write_text(json.dumps(small))
+    for number in TRAINS:
+        train = TrainDraw(1, number).scene() | {"run": {"iterations": 50}}
+        (files / f"train-{number}.json").write_text(json.dumps(train))
+    (files / "bowl.npy").write_bytes(TrainDraw.files["bowl.npy"])
     (files / "not-a-scene.json").write_text("{}")
     (files / "broken.freeform").write_bytes(b"PK\3\4 and nothing else")
     picture = resources.path("targets", "flame-256.png")
