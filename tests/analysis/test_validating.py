@@ -5,8 +5,8 @@ import threading
 import numpy as np
 import pytest
 
-from workbench.analysis.tracing.ray_limit import MOST_RAYS
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing import MOST_RAYS
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.validation import validate, validating
 
 RAYS = 20_000

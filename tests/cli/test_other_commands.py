@@ -5,7 +5,7 @@ import signal
 
 import pytest
 
-from workbench.analysis.tracing.ray_limit import MOST_RAYS
+from workbench.analysis.tracing import MOST_RAYS
 from workbench.analysis.tracing.trace import Trace
 from workbench.design.run import run
 from workbench.design.snapshot import History

@@ -7,7 +7,7 @@ import pytest
 import torch
 
 from workbench.analysis.tracing.elements import TracedRays
-from workbench.analysis.tracing.surfaces import fixed_surface as checked_surface
+from workbench.analysis.tracing.surfaces.fixed import fixed_surface as checked_surface
 from workbench.geometry.outlines import Ellipse
 from workbench.optics.rays import RayBundle
 from workbench.optics.surfaces import fixed_surface

@@ -12,7 +12,7 @@ from workbench.analysis.cells.image import CellImage, imaging
 from workbench.analysis.metrics import paper_loss, relative_l2, root
 from workbench.analysis.scatter import CorrectedDistance, IndependentError, tracing_independently
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.arrays import Array
 from workbench.messages import Message
 from workbench.optics.account import Account

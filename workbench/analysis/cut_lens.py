@@ -11,7 +11,7 @@ import numpy as np
 
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused

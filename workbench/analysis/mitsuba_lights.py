@@ -8,7 +8,7 @@ import numpy as np
 
 from workbench.analysis.mitsuba_rays import rays_as_light
 from workbench.analysis.tracing.sources.cones import covering_cones
-from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.analysis.tracing.sources.measured import file_axes
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.measured.lamps import intensity_of

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from workbench.analysis.tracing.sources.cones import covering_cones
-from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.analysis.tracing.sources.measured import file_axes
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.measured.lamps import intensity_of, placed_rays

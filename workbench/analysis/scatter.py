@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import root
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.trace import Trace
 from workbench.arrays import Array
 from workbench.progress import Steps, within

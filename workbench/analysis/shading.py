@@ -12,7 +12,7 @@ import numpy as np
 
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
 from workbench.messages import Message

@@ -23,7 +23,7 @@ from workbench.analysis.regions import light_of_regions
 from workbench.analysis.scatter import FEWER, STUDENT_T, CorrectedDistance, IndependentError
 from workbench.analysis.shading import shading_of
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.analysis.validation_figures import Validation

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
-from workbench.analysis.tracing.ray_limit import MOST_RAYS
+from workbench.analysis.tracing import MOST_RAYS
 from workbench.errors import Refused
 
 _MOST_DISTANCES = 1000

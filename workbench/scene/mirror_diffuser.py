@@ -152,7 +152,7 @@ class AnyScatter(Part):
     """A law of scatter.
 
     A new law is a class here, a member of `Scatter`, and a row in the tables of
-    `workbench.extended.scatter_kernels` and `workbench.analysis.tracing.interfaces.scatter`.
+    `workbench.extended.scatter_kernels` and `workbench.analysis.tracing.interfaces`.
     """
 
     about_ray: ClassVar[bool]

@@ -9,7 +9,8 @@ from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
-from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
+from workbench.analysis.tracing.surfaces.fixed import FlatFace
+from workbench.analysis.tracing.surfaces.spline import SplineFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 

@@ -13,7 +13,7 @@ from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.shading import shading_of
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.surfaces import ConicSurface
+from workbench.analysis.tracing.surfaces.fixed import ConicSurface
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.cli.validate import validate as run_validate

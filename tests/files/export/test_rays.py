@@ -6,7 +6,7 @@ import pytest
 
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.interfaces import DielectricBoundary
-from workbench.analysis.tracing.surfaces import SplineFace
+from workbench.analysis.tracing.surfaces.spline import SplineFace
 from workbench.files.export.tables import write_rays, write_tm25
 from workbench.measured.rays import read_rays
 from workbench.scene.paths import with_values

@@ -11,7 +11,7 @@ from typing import Self
 import numpy as np
 
 from workbench.analysis.tracing.elements import TracedRays
-from workbench.analysis.tracing.in_order import in_order
+from workbench.analysis.tracing.trace import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array, Index
 from workbench.geometry.outlines import outline_of

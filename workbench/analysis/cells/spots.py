@@ -12,7 +12,7 @@ from scipy.ndimage import binary_dilation, binary_erosion
 from workbench.analysis.cells.drawing import Canvas, Drawing, shifts
 from workbench.analysis.cells.kernels import fill_spots
 from workbench.analysis.tracing.elements import joined
-from workbench.analysis.tracing.sources.even import in_disc, pairs
+from workbench.analysis.tracing.sources.sampling import in_disc, pairs
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array, Index, Mask
 from workbench.scene import Scene

@@ -28,7 +28,7 @@ from workbench.analysis.photo.light import (
 )
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array, Mask

@@ -73,18 +73,13 @@ class FaceLight(Protocol):
         From how many points, or in how many directions, light comes to each place.
     emitted : float
         Flux of the source in the unit of `through`.
+    places : ndarray, shape (origins, 3), optional
+        Points of the origins, over the plane of the aperture; None where the light is collimated.
     """
 
     origins: int
     emitted: float
-
-    @property
-    def places(self) -> Array | None:
-        """Points of the origins, shape (origins, 3), over the plane of the face.
-
-        None where the light is collimated.
-        """
-        ...
+    places: Array | None = None
 
     def through(self, origin: int, x: Array, y: Array) -> TracedRays:
         """Rays of one origin through places of the plane of the aperture.
@@ -114,7 +109,7 @@ class LightSource(RandomSource, FaceLight, Protocol):
         and its origins only stand for it.
     """
 
-    sampled: bool
+    sampled: bool = False
 
     def finer(self, level: int) -> "LightSource":
         """The same light with origins for another level of cells.
@@ -122,7 +117,7 @@ class LightSource(RandomSource, FaceLight, Protocol):
         Where few origins stand for a source of some size, they are twice as many at each level, so
         that the difference of two levels has the error of too few origins in it.
         """
-        ...
+        return self
 
     def on_disc(self, part: Array, turn: Array) -> "LightSource | None":
         """The same light from directions at some places of the disc that it comes from.
@@ -137,7 +132,7 @@ class LightSource(RandomSource, FaceLight, Protocol):
         LightSource or None
             Each of its k origins has as much of the light; None if there is no such disc.
         """
-        ...
+        return None
 
 
 class TracedFace(Protocol):

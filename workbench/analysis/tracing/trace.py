@@ -4,22 +4,56 @@ What each batch finds depends on the seed alone, and batches are handed out in o
 for one gets control back now and then, and may leave at any time: many rays take minutes.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
 from functools import partial
 from threading import Event
+from typing import TypeVar
 
 import numpy as np
 
-from workbench.analysis.tracing.in_order import in_order
+from workbench.analysis.tracing import MOST_RAYS
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.ray_limit import MOST_RAYS
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.messages import Message
+from workbench.process import usable_threads
 from workbench.scene import Scene
+
+T = TypeVar("T")
+
+_OFTEN = 0.1  # seconds after which whoever waits for an outcome gets control back
+_MOST_THREADS = 8
+# Each has an outcome at hand, which may be large: bytes for all of them together.
+_LARGEST = 1 << 28
+
+
+def in_order(
+    works: Sequence[Callable[[Event], T]], size: int, threads: int | None = None
+) -> Iterator[T | None]:
+    """Do all of some works; yields each outcome, and None now and then before one is there.
+
+    `works`: called with an event that is set once nobody waits for the outcome; `size`: bytes of an
+    outcome: fewer threads work where that is much; `threads`: how many work; as many as may be by
+    default; see `usable_threads`.
+    """
+    threads = min(threads or usable_threads(), _MOST_THREADS, max(_LARGEST // size, 1))
+    left = Event()
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            # Not all at once: outcomes that wait take memory.
+            for first in range(0, len(works), threads):
+                some = [pool.submit(work, left) for work in works[first : first + threads]]
+                while some:
+                    if wait(some[:1], _OFTEN).done:
+                        yield some.pop(0).result()
+                    else:
+                        yield None
+        finally:
+            left.set()
 
 
 class Trace:

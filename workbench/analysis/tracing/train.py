@@ -22,16 +22,9 @@ from workbench.analysis.tracing.interfaces import (
 from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.surfaces import (
-    CutSurface,
-    FlatFace,
-    FrontFace,
-    LaterFace,
-    MovedFace,
-    PlacedSurface,
-    SplineFace,
-    fixed_surface,
-)
+from workbench.analysis.tracing.surfaces.fixed import FlatFace, fixed_surface
+from workbench.analysis.tracing.surfaces.placed import CutSurface, MovedFace, PlacedSurface
+from workbench.analysis.tracing.surfaces.spline import FrontFace, LaterFace, SplineFace
 from workbench.arrays import Array
 from workbench.geometry.ball_cutter import Raster
 from workbench.geometry.outlines import outline_of

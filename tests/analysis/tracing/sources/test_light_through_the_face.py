@@ -8,7 +8,7 @@ import pytest
 from tests.scenes import changed
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.scene import Scene
 
 ABOVE = {"kind": "point", "position": [0.3, -0.2, -4.0]}

@@ -10,11 +10,9 @@ from typing import Any
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.area import AreaLight
-from workbench.analysis.tracing.sources.beam import BeamLight
-from workbench.analysis.tracing.sources.collimated import CollimatedLight
-from workbench.analysis.tracing.sources.photometric import PhotometricLight
+from workbench.analysis.tracing.sources.collimated import BeamLight, CollimatedLight
+from workbench.analysis.tracing.sources.measured import PhotometricLight, RayFileLight
 from workbench.analysis.tracing.sources.points import PointLight
-from workbench.analysis.tracing.sources.ray_file import RayFileLight
 from workbench.scene import (
     AreaSource,
     CollimatedSource,

@@ -5,12 +5,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.elements import LightSource, TracedRays
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import Cells
-from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
-from workbench.analysis.tracing.sources.near import near_places
-from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.analysis.tracing.sources.sampling import (
+    Cells,
+    in_disc,
+    in_square,
+    near_places,
+    pairs,
+)
 from workbench.arrays import Array
 from workbench.scene import AreaSource, Element
 
@@ -19,7 +22,7 @@ from workbench.scene import AreaSource, Element
 _ORIGINS, _NODES = 64, 24
 
 
-class AreaLight(Unspread):
+class AreaLight(LightSource):
     """Light of an emitter's face into the half-space before it; a `LightSource`.
 
     Each ray goes from a random place of the emitter to a random one of the rectangle of the

@@ -5,17 +5,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import TracedRays
+from workbench.analysis.tracing.elements import LightSource, TracedRays
 from workbench.analysis.tracing.kernels import emit
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
-from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.analysis.tracing.sources.sampling import Cells
 from workbench.arrays import Array
 from workbench.scene import Element, LightOfPoints
 
 
-class PointLight(Unspread):
+class PointLight(LightSource):
     """Light into the cones that just cover the entrance face; a `LightSource`.
 
     All points have the same intensity, so those that see the face larger emit more. The parameters
