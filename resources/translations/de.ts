@@ -7650,6 +7650,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>1 zählt Strahlen je Pixel, was keine Ableitung hat; 3 oder mehr</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/focus.py" />
+            <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
+            <translation>{z:g}: Das Licht kommt quer zur z-Achse auf den Schirm, entlang der sich sein Abstand ändert; {now:g}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
             <source>Mitsuba is given no {kind}; leave it out to compare</source>
             <translation>Mitsuba kennt {kind} nicht; zum Vergleichen weglassen</translation>

@@ -7650,6 +7650,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>1 compte les rayons par pixel, ce qui n'a pas de dérivée ; 3 ou plus</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/focus.py" />
+            <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
+            <translation>{z:g} : la lumière vient à l'écran en travers de l'axe z, le long duquel sa distance change ; {now:g}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
             <source>Mitsuba is given no {kind}; leave it out to compare</source>
             <translation>Mitsuba ne connaît pas {kind} ; l'omettre pour comparer</translation>

@@ -10,8 +10,11 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.arrays import Array
+from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.progress import Progress, fraction_of, no_progress
 from workbench.scene import Scene
+from workbench.scene.train import leaving
 
 
 def through_focus(
@@ -43,12 +46,27 @@ def through_focus(
 
 
 def with_screen_at(scene: Scene, z: float) -> Scene:
-    """Return the scene with its screen at z; raise Refused if it may touch the lens there."""
+    """Return the scene with its screen at z.
+
+    Raises `Refused` if it may touch the lens there, or light comes to it across the z axis.
+    """
+    way = leaving(scene.source, scene.elements, scene.receiver)
+    if scene.receiver.at_distance and abs(float(way[2])) < _ALONG * math.hypot(*way):
+        raise Refused(
+            "images[0].receiver.position[2]",
+            Message(
+                "{z:g}: light comes to the screen across the z axis, along which its distance "
+                "changes; {now:g}",
+                z=z,
+                now=scene.receiver.plane_z,
+            ),
+        )
     there = scene.with_receiver(scene.receiver.moved_to(z))
     there.check()
     return there
 
 
+_ALONG = 0.5  # least cosine of the light to the z axis along which a screen is moved
 _LARGEST_IMAGES = 1 << 27  # bytes of all images of a trace
 _MOST_PIXELS = 512  # along each side of an image that is returned
 
@@ -68,10 +86,15 @@ class Focus:
 
 
 def screen_at(scene: Scene, heights: Mapping[str, Array], fraction: float) -> float:
-    """Return z of a screen at a fraction of the distance from the back face to the screen."""
-    optic, onwards = scene.optic, scene.optic.onwards
-    beyond = float((onwards * heights[optic.designed_face]).max())
-    edge = onwards * max(onwards * optic.edge_z, beyond)
+    """Return z of a screen at a fraction of the distance from the last element to the screen."""
+    last = scene.elements[-1].lit(scene.source.wavelength)
+    if last.designed and last.upright:
+        onwards = last.onwards
+        ends = np.append(heights[last.designed_face].ravel(), last.edge_z)
+    else:
+        onwards = 1 if leaving(scene.source, scene.elements, scene.receiver)[2] > 0 else -1
+        ends = last.corners[:, 2]
+    edge = onwards * float((onwards * ends).max())
     return edge + fraction * (scene.receiver.plane_z - edge)
 
 

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 import torch
 
+from resources import path
 from workbench.analysis.cut_lens import tracing_cut
 from workbench.analysis.derivatives import irradiance_derivative
+from workbench.analysis.focus import screen_at, with_screen_at
 from workbench.analysis.shading import shading_of
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
@@ -21,7 +23,7 @@ from workbench.design.lens_state import LensState
 from workbench.design.session import Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.session import write_session
+from workbench.files.session import open_design, write_session
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.outlines import Ellipse, Rectangle, outline_of
@@ -295,6 +297,14 @@ class TestChecksOfTrains:
         found = shading_of(scene, heights, 1)
         assert found.meets_again == pytest.approx((1 - R_0) ** 2, rel=2e-2)
         assert found.through_receiver == pytest.approx(0.5 * 0.4, rel=2e-2)
+
+    def test_screens_are_moved_along_the_light_behind_the_last_element(self):
+        scene = scene_of(COLLIMATED, list(self.elements))
+        assert screen_at(scene, flat(scene), 0.0) == pytest.approx(3.5)
+        assert screen_at(scene, flat(scene), 1.0) == scene.receiver.z
+        folded = open_design(path("examples", "fold-mirror.json")).scene
+        with pytest.raises(Refused, match="light comes to the screen across the z axis"):
+            with_screen_at(folded, 10.0)
 
     def test_a_cut_plate_of_a_train_is_traced(self):
         scene = scene_of(COLLIMATED, list(self.elements), half_width=2.0)
