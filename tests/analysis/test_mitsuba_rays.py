@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from resources import path
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.mitsuba_rays import _from_area, _from_disc
+from workbench.scene import Scene
 
 COUNT = 100_000
 
@@ -59,3 +61,12 @@ class TestWithMitsuba:
         screen = {"z": 4.0, "half_width": [2.0, 2.0], "pixels": [32, 32]}
         flux = MitsubaScene(make_scene(changes | {"screen": screen}), plate).flux(50_000, 1)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
+
+    def test_light_that_a_mirror_folds_passes_the_places_where_it_begins(self):
+        """Only the faces of the plate behind the mirror take some of it."""
+        scene = Scene.from_json(path("examples", "fold-mirror.json").read_bytes()).with_net((6, 6))
+        plate = {"lens.back": np.full((6, 6), scene.optic.base.height)}
+        flux = MitsubaScene(scene, plate).flux(200_000, 1)
+        index = scene.optic.lit(scene.source.wavelength).index
+        passed = 1 - ((index - 1) / (index + 1)) ** 2
+        assert flux.sum() == pytest.approx(passed**2, abs=2e-3)

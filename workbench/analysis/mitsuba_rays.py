@@ -33,8 +33,9 @@ from workbench.scene.part import row_of
 # Most triangles: single precision still tells so many apart.
 _MOST = 1 << 19
 # In half-widths of the lens: their size for the brightest ray, and how far before the face they
-# are.
-_SIZE, _BEFORE = 5e-4, 0.01
+# are. Light of a mirror at 45° that meets them comes at a right angle to their normals, and half
+# of it ends there: 25 times as large they cost 3 % of the light, of this size 0.005 %.
+_SIZE, _BEFORE = 2e-5, 0.01
 
 
 class FaceRays(NamedTuple):
