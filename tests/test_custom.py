@@ -9,7 +9,7 @@ import torch
 
 from resources import path
 from tests.optics.points import smooth
-from workbench.analysis.sensitivity import sensitivities
+from workbench.analysis.derivatives import sensitivities
 from workbench.custom import (
     ControlNet,
     Rectangle,

@@ -65,7 +65,7 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
-    from workbench.analysis.sensitivity import Figure, Sensitivity
+    from workbench.analysis.derivatives import Figure, Sensitivity
 
 File = str | PathLike[str]
 
@@ -287,6 +287,6 @@ def sensitivity(
     >>> found["lens.material.index"].value < 0  # a denser glass reflects more
     True
     """
-    from workbench.analysis.sensitivity import sensitivities  # late: it loads torch
+    from workbench.analysis.derivatives import sensitivities  # late: it loads torch
 
     return sensitivities(session.scene, result_of(session).state.heights, figure, paths)

@@ -7650,6 +7650,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>1 zählt Strahlen je Pixel, was keine Ableitung hat; 3 oder mehr</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>no number; a number as in lens.thickness is needed</source>
+            <translation>keine Zahl; eine Zahl wie in lens.thickness ist nötig</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/focus.py" />
             <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
             <translation>{z:g}: Das Licht kommt quer zur z-Achse auf den Schirm, entlang der sich sein Abstand ändert; {now:g}</translation>
@@ -7728,11 +7733,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
             <translation>{part:.3f} % des Lichts, {lumens}, im Mittel {mean}, mindestens {least}, höchstens {most}, kleinste / mittlere {even}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/sensitivity.py" />
-            <source>no number; a number as in lens.thickness is needed</source>
-            <translation>keine Zahl; eine Zahl wie in lens.thickness ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />

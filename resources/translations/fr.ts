@@ -7650,6 +7650,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>1 compte les rayons par pixel, ce qui n'a pas de dérivée ; 3 ou plus</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>no number; a number as in lens.thickness is needed</source>
+            <translation>pas un nombre ; un nombre comme dans lens.thickness est nécessaire</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/focus.py" />
             <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
             <translation>{z:g} : la lumière vient à l'écran en travers de l'axe z, le long duquel sa distance change ; {now:g}</translation>
@@ -7728,11 +7733,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
             <translation>{part:.3f} % de la lumière, {lumens}, moyenne {mean}, minimum {least}, maximum {most}, minimum / moyenne {even}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/sensitivity.py" />
-            <source>no number; a number as in lens.thickness is needed</source>
-            <translation>pas un nombre ; un nombre comme dans lens.thickness est nécessaire</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />

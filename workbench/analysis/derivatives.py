@@ -1,23 +1,30 @@
-"""Derivative of the whole irradiance image with respect to one control height.
+"""Derivatives of the image by a control height, and of figures of the light by scene numbers.
 
 One forward-mode pass (a Jacobian-vector product) gives all pixels at once; reverse mode would need
 one pass per pixel. De Koning et al. (2023), section 3.1.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from threading import Lock
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from torch.autograd import forward_ad
 
 from workbench.arrays import Array
+from workbench.design.levels import FINE, cells_of
 from workbench.errors import Refused
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import ControlNet, nets_of
 from workbench.messages import Message
+from workbench.optics.account import Account
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan, tensors_of
+from workbench.optics.samples import Corners
 from workbench.scene import Scene
+from workbench.scene.paths import value_at, with_values
 
 # Torch has one level of dual numbers for all threads.
 _DUAL_NUMBERS = Lock()
@@ -106,3 +113,76 @@ def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
                 f"filter.size[{axis}]",
                 Message("1 counts rays by pixel, which has no derivative; 3 or more"),
             )
+
+
+Figure = Callable[[Array, Account], float]
+
+# Of a number, or of the half-width of the lens where the number is 0.
+_STEP = 1e-3
+
+
+class Sensitivity(NamedTuple):
+    """Derivative of a figure of the light by a number of the scene.
+
+    Attributes
+    ----------
+    value : float
+        Change of the figure per unit of the number.
+    off : float
+        How far the value may be off: the change from a step of twice the size.
+    """
+
+    value: float
+    off: float
+
+
+def sensitivities(
+    scene: Scene, heights: ControlHeights, figure: Figure, paths: Iterable[str]
+) -> Mapping[str, Sensitivity]:
+    """Derivatives by central differences of the image of beams, which has no noise.
+
+    Parameters
+    ----------
+    scene : Scene
+        With one image.
+    heights : ControlHeights
+        Control heights of each freeform face; they move with their element.
+    figure : callable
+        A number of the irradiance (n_y, n_x) and of the account.
+    paths : iterable of str
+        Numbers of the scene.
+    """
+    scene.check_one_image("a sensitivity")
+    cells = cells_of(FINE, scene)
+    return {path: _by(scene, heights, figure, path, cells) for path in paths}
+
+
+def _by(
+    scene: Scene, heights: ControlHeights, figure: Figure, path: str, cells: Corners
+) -> Sensitivity:
+    number = value_at(scene, path)
+    if isinstance(number, bool) or not isinstance(number, int | float):
+        raise Refused(path, Message("no number; a number as in lens.thickness is needed"))
+    step = _STEP * (abs(number) or max(scene.optic.half_width))
+
+    def slope(step: float) -> float:
+        ahead, behind = (
+            _figure(with_values(scene, {path: number + way}), scene, heights, figure, cells)
+            for way in (step, -step)
+        )
+        return (ahead - behind) / (2 * step)
+
+    fine, coarse = slope(step), slope(2 * step)
+    return Sensitivity((4 * fine - coarse) / 3, abs(fine - coarse))
+
+
+def _figure(
+    scene: Scene, before: Scene, heights: ControlHeights, figure: Figure, cells: Corners
+) -> float:
+    rise = scene.optic.position[2] - before.optic.position[2]
+    moved = FaceArrays({face: each + rise for face, each in heights.items()})
+    scene = scene.with_net(before.optic.known_shape)
+    with torch.no_grad():
+        light = BeamPlan(scene, cells, dtype=torch.float64).trace(tensors_of(moved, scene))
+    irradiance = light.flux.cpu().numpy() / scene.receiver.pixel_measure
+    return float(figure(irradiance, light.account))
