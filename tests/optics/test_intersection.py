@@ -7,10 +7,10 @@ from scipy.interpolate import NdBSpline
 
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
-from workbench.optics.surfaces.intersection import Bundle, ExactIntersection
+from workbench.optics.surfaces.intersection import RIM, Bundle, ExactIntersection
 
 DTYPES = [torch.float32, torch.float64]
-RAYS = 25_000
+RAYS = 10_000
 
 
 def rays(rng, count, half_width, slope):
@@ -38,16 +38,14 @@ def meet(net, heights, bundle, dtype=torch.float64, before=()):
 
 
 class Reference:
-    """f along rays on scipy's spline, clipped to the aperture against rounding."""
+    """f along rays on scipy's spline up to `RIM`, where it goes on as the same polynomials."""
 
     def __init__(self, net, heights, bundle):
-        r_x, r_y = net.half_width
         knots = [(2 * t - 1) * r for t, r in zip(net.knots, net.half_width, strict=True)]
         self._spline = NdBSpline(tuple(knots), np.asarray(heights, float), net.degree)
-        self._r = np.array([r_x, r_y])
         self.start = np.stack(bundle[:2], axis=-1)
         self.slope = np.stack(bundle[2:], axis=-1)
-        ends = np.where(self.slope > 0, self._r - self.start, self.start + self._r)
+        ends = np.array(net.half_width) * RIM - self.start * np.sign(self.slope)
         with np.errstate(divide="ignore"):
             self.side = (ends / np.abs(self.slope)).min(axis=1)
         self.low = np.minimum(heights.min(), self.side)
@@ -55,7 +53,7 @@ class Reference:
 
     def f(self, depth, rays=slice(None)):
         place = self.start[rays] + self.slope[rays] * depth[:, None]
-        return self._spline(np.clip(place, -self._r, self._r)) - depth
+        return self._spline(place) - depth
 
     def bisect(self, low, high, rays=slice(None)):
         for _ in range(56):

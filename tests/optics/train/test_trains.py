@@ -24,12 +24,12 @@ def test_nodes_accounts_and_gradients_are_those_of_the_walk(name, light):
         landed(tracer, heights, cotangent) for tracer in (Reference(path), CompiledTrain(path))
     )
     assert ((nodes[2] > 0) == (fused[2] > 0)).all()
-    assert (nodes[2] > 0).double().mean() > 0.1
-    assert (fused - nodes).abs().max() < 1e-9 * (1 + nodes.abs().max())
+    assert (nodes[2] > 0).double().mean() > 0.15
+    assert (fused - nodes).abs().max() < 1e-10 * (1 + nodes.abs().max())
     assert fused_account == pytest.approx(account, abs=1e-11)
     assert sum(fused_account.values()) == pytest.approx(2, abs=1e-11)  # and once as emitted
     for one, other in zip(fused_gradients, gradients, strict=True):
-        assert (one - other).norm() <= 1e-8 * other.norm()
+        assert (one - other).norm() <= 1e-10 * other.norm()
 
 
 @EACH
@@ -52,16 +52,19 @@ def test_gradients_are_those_of_central_differences(name, light):
 @EACH
 def test_single_precision_is_enough(name, light):
     """To 3e-5 of a pixel; accounts to 1e-6 of all light, gradients to 5e-6."""
-    rounding = 4 if name == "conics" else 1  # which bend light far more than the others
-    found = []
-    for dtype in (torch.float64, torch.float32):
-        path = path_of(name, light, (30, 24), dtype)
-        found.append(landed(CompiledTrain(path), heights_of(path), cotangent_of(path)))
-    (nodes, account, gradients), (single, rounded, single_gradients) = found
+    path = path_of(name, light, (30, 24))
+    heights, cotangent = heights_of(path), cotangent_of(path)
+    flux = landed(CompiledTrain(path), heights, cotangent)[0][2]
+    # Near total reflection rounding grows as 1/cos of the refracted angle; flux falls as this cos.
+    weight = flux / flux.max()
+    (nodes, account, gradients), (single, rounded, single_gradients) = (
+        landed(CompiledTrain(path_of(name, light, (30, 24), dtype)), heights, cotangent * weight)
+        for dtype in (torch.float64, torch.float32)
+    )
     same = (nodes[2] > 0) == (single[2] > 0)
     assert same.double().mean() > 0.999
-    assert ((single - nodes).abs() * same).max() < rounding * 3e-5
+    assert ((single - nodes).abs() * same * weight).max() < 3e-5
     assert rounded == pytest.approx(account, abs=1e-6)
     if same.all():
         for one, other in zip(single_gradients, gradients, strict=True):
-            assert (one - other).norm() <= rounding * 5e-6 * other.norm()
+            assert (one - other).norm() <= 5e-6 * other.norm()

@@ -16,6 +16,9 @@ from workbench.optics.sources.emission import covering_caps
 SUN = {"kind": "collimated", "angular_diameter": 6.0}
 
 
+TILTED = {"kind": "collimated", "direction": [8.0, -5.0], "angular_diameter": 2.0}
+
+
 PARALLEL = {"kind": "collimated", "direction": [8.0, -5.0]}
 
 
@@ -25,7 +28,7 @@ BEAM = {"kind": "collimated", "profile": {"kind": "gaussian", "radius": 0.7}}
 OBLIQUE = BEAM | {"direction": [10.0, 4.0], "angular_diameter": 3.0}
 
 
-ALL = pytest.mark.parametrize("source", [SUN, PARALLEL, BEAM, OBLIQUE])
+ALL = pytest.mark.parametrize("source", [SUN, TILTED, PARALLEL, BEAM, OBLIQUE])
 
 
 @ALL
