@@ -104,7 +104,7 @@ EXAMPLES = (
         "tophat-sparse-random",
         _NETWORKS,
         "Sparse network, random start",
-        "A rough first lens; see how much of its roughness is left in the end.",
+        "A rough initial lens; see how much of its roughness remains at the end.",
     ),
     Example(
         "tophat-dense-uniform",

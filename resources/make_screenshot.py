@@ -22,7 +22,7 @@ _SETTLING = 5000  # milliseconds in which all views have had their turn
 
 
 def begin() -> QApplication:
-    """An application that turns dark when it is told to."""
+    """An application whose colour scheme can be set."""
     if sys.platform.startswith("linux"):
         os.environ.setdefault("QT_QPA_PLATFORMTHEME", "gnome")  # heeds `setColorScheme`
     application = QApplication(sys.argv[:1])

@@ -11,7 +11,7 @@ from typing import Any
 from workbench.process import calm_library_threads
 
 # As the program does, before numpy is loaded: threads of OpenBLAS that wait for each other took
-# three quarters of the processor's time of a first lens where others worked on the same cores.
+# three quarters of the processor's time of a first design where others worked on the same cores.
 calm_library_threads()
 
 import numpy as np  # noqa: E402

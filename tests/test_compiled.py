@@ -124,7 +124,7 @@ def test_a_temporary_folder_is_not_trusted_if_others_can_write_to_it(tmp_path, m
 
 
 def test_folders_are_named_after_the_text_of_all_compiled_files(tmp_path):
-    """In a copy, an edit of any room that compiles changes the name in every place."""
+    """In a copy, an edit of any kernels that compiles changes the name in every place."""
     shutil.copytree(ROOT, tmp_path / "workbench", ignore=shutil.ignore_patterns("__pycache__"))
 
     def names():
@@ -135,11 +135,11 @@ def test_folders_are_named_after_the_text_of_all_compiled_files(tmp_path):
         return done.stdout.split()
 
     (before,) = names()
-    rooms = [file.relative_to(ROOT) for file in compiled.compiled_files()]
-    folders = {str(room.parent) for room in rooms}
+    compiled_modules = [file.relative_to(ROOT) for file in compiled.compiled_files()]
+    folders = {str(kernels.parent) for kernels in compiled_modules}
     assert {"analysis/tracing/sources", "design/transport", "optics/kernels"} <= folders
-    for room in (rooms[0], rooms[-1]):
-        with open(tmp_path / "workbench" / room, "a") as file:
+    for kernels in (compiled_modules[0], compiled_modules[-1]):
+        with open(tmp_path / "workbench" / kernels, "a") as file:
             file.write("# another version\n")
         (after,) = names()
         assert after != before
@@ -149,9 +149,9 @@ def test_folders_are_named_after_the_text_of_all_compiled_files(tmp_path):
 def test_all_that_compiled_functions_use_is_in_files_that_name_the_folder():
     """A constant of any other file could change without the kernels being compiled again."""
     files = [file.relative_to(ROOT.parent).with_suffix("") for file in compiled.compiled_files()]
-    rooms = {".".join(file.parts) for file in files}
+    compiled_modules = {".".join(file.parts) for file in files}
     functions = 0
-    for name in sorted(rooms - {"workbench.compiled"}):
+    for name in sorted(compiled_modules - {"workbench.compiled"}):
         module = importlib.import_module(name)
         imported = {
             alias.asname or alias.name: node.module
@@ -165,6 +165,8 @@ def test_all_that_compiled_functions_use_is_in_files_that_name_the_folder():
             functions += 1
             used = set(kernel.py_func.__code__.co_names) - set(vars(builtins))
             elsewhere = {imported[each] for each in used if each in imported}
-            foreign = {each for each in elsewhere if each.startswith("workbench")} - rooms
+            foreign = {
+                each for each in elsewhere if each.startswith("workbench")
+            } - compiled_modules
             assert not foreign, f"{name}.{kernel.py_func.__name__} uses names of {foreign}"
     assert functions > 50

@@ -19,8 +19,8 @@ def raised(text="odd"):
 
 
 def test_the_sentence_names_the_file_and_the_file_has_the_traceback(folder):
-    said = defects.unexpected(raised())
-    assert said == f"unexpected KeyError: 'odd' (details are in {folder / 'errors.log'})"
+    stated = defects.unexpected(raised())
+    assert stated == f"unexpected KeyError: 'odd' (details are in {folder / 'errors.log'})"
     text = (folder / "errors.log").read_text()
     assert text.startswith("20")  # the date
     assert "Freeform Lens Workbench" in text and "Python 3" in text

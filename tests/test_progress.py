@@ -19,7 +19,7 @@ from workbench.progress import (
 
 WORK = {
     "manufacture": lambda scene: manufacture(scene.optic, undesigned(scene.optic)),
-    "first lens": lambda scene: transport_start(scene, np.eye(16)),
+    "first design": lambda scene: transport_start(scene, np.eye(16)),
     "light to be blurred": lambda scene: spread_light(np.eye(16), Blur((3.0, 3.0)).spread()),
 }
 
@@ -51,7 +51,7 @@ def test_kernels_end_between_two_parts():
 
 def test_a_first_lens_is_found_though_its_run_is_to_end(scene):
     with interrupted_when(lambda: True):
-        assert WORK["first lens"](scene) is not None
+        assert WORK["first design"](scene) is not None
         with pytest.raises(Interrupted):
             check_interruption()
         check_given_up()

@@ -62,7 +62,7 @@ def test_units(text, unit, number):
 
 
 @pytest.mark.parametrize(
-    ("text", "unit", "said"),
+    ("text", "unit", "stated"),
     [
         ("", "", "'' is not a number"),
         ("far", "mm", "'far' is not a number"),
@@ -96,10 +96,10 @@ def test_units(text, unit, number):
         ("-" * 99 + "x", "", "is not a number"),
     ],
 )
-def test_wrong_numbers_are_refused(text, unit, said):
+def test_wrong_numbers_are_refused(text, unit, stated):
     with pytest.raises(ValueError) as caught:
         read_number(text, unit)
-    assert said in str(caught.value) and "\n" not in str(caught.value)
+    assert stated in str(caught.value) and "\n" not in str(caught.value)
 
 
 @given(st.text(alphabet='0123456789.,eE+-*/() mcinµ°"_', max_size=40))

@@ -188,7 +188,7 @@ def export(
     session : Session
         A session with a lens.
     *files : path
-        Files to write; their endings tell the formats.
+        Files to write; their endings select the formats.
     chord_error : float, optional
         How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
         the lens by default.
@@ -206,7 +206,7 @@ def export(
     Raises
     ------
     Refused
-        If the session has no lens, it is no body, the unit is unknown, an ending tells no format,
+        If the session has no lens, it is no body, the unit is unknown, an ending is unknown,
         or a file cannot be written. At the end, if a format cannot hold what is asked; the other
         files are written.
 

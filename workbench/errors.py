@@ -8,7 +8,7 @@ LONGEST_QUOTE = 60
 
 
 class Refused(Exception):
-    """Input that cannot be used, said in one sentence.
+    """Input that cannot be used; its text is one sentence.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Open files for reading, and tell whether they changed."""
+"""Open files for reading, and find whether they changed."""
 
 import os
 import stat

@@ -88,7 +88,7 @@ def advice(missing: Sequence[tuple[str, str]]) -> str:
 
 
 def has_display() -> bool:
-    """Tell whether a window can be shown: on Linux, whether the session names an X display.
+    """Return whether a window can be shown: on Linux, whether the session names an X display.
 
     A Wayland session names one too, for programs that, like VTK, draw through X.
     """

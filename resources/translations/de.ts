@@ -220,8 +220,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>A rough first lens; see how much of its roughness is left in the end.</source>
-            <translation>Eine raue erste Linse; zu sehen ist, wie viel davon am Ende bleibt.</translation>
+            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
+            <translation>Eine raue Ausgangslinse; zu sehen ist, wie viel Rauheit am Ende bleibt.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -2325,7 +2325,7 @@
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
-            <source>{name} had unsaved changes when the program was told to end.</source>
+            <source>{name} had unsaved changes when the program was terminated.</source>
             <translation>{name} hatte ungesicherte Änderungen, als das Programm beendet wurde.</translation>
         </message>
         <message>
@@ -4040,13 +4040,13 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended before its first lens</source>
-            <translation>Lauf endete vor seiner ersten Linse</translation>
+            <source>Run ended without a lens</source>
+            <translation>Lauf endete ohne Linse</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended before its first mirror</source>
-            <translation>Lauf endete vor seinem ersten Spiegel</translation>
+            <source>Run ended without a mirror</source>
+            <translation>Lauf endete ohne Spiegel</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -5251,8 +5251,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light that passes the optic and the screen by. One that sends much light here wastes it, or has more than its surface can bend.</source>
-            <translation>Licht, das an der Optik und am Schirm vorbeigeht. Eine, die viel Licht hierher schickt, verschwendet es oder hat mehr, als ihre Fläche ablenken kann.</translation>
+            <source>Light that leaves the last element and misses the screen. Much of it means that the designed faces cannot deflect all light to the image.</source>
+            <translation>Licht, das das letzte Element verlässt und den Schirm verfehlt. Ist es viel, so können die entworfenen Flächen nicht alles Licht zum Bild ablenken.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5376,8 +5376,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light that passes the optic and the far field by. One that sends much light here wastes it, or has more than its surface can bend.</source>
-            <translation>Licht, das an der Optik und am Fernfeld vorbeigeht. Eine, die viel Licht hierher schickt, verschwendet es oder hat mehr, als ihre Fläche ablenken kann.</translation>
+            <source>Light that leaves the last element and misses the far field. Much of it means that the designed faces cannot deflect all light to the image.</source>
+            <translation>Licht, das das letzte Element verlässt und das Fernfeld verfehlt. Ist es viel, so können die entworfenen Flächen nicht alles Licht zum Bild ablenken.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6731,8 +6731,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any will do.</source>
-            <translation>Radius des Kugelfräsers, der überall auf die Freiformflächen passen muss. Mulden halten ihn ein; Erhebungen dürfen schärfer sein. „Fertigung“ sagt, ob er passt. Leer: beliebig.</translation>
+            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture shows whether it fits. Left empty, any will do.</source>
+            <translation>Radius des Kugelfräsers, der überall auf die Freiformflächen passen muss. Mulden halten ihn ein; Erhebungen dürfen schärfer sein. „Fertigung“ zeigt, ob er passt. Leer: beliebig.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6966,8 +6966,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A lamp at the ceiling, or on the floor, lights a wall evenly from the side.</source>
-            <translation>Eine Lampe an der Decke oder auf dem Boden beleuchtet eine Wand gleichmäßig von der Seite.</translation>
+            <source>A lamp above or below a wall lights it evenly from the side.</source>
+            <translation>Eine Lampe oben oder unten an einer Wand beleuchtet sie gleichmäßig von der Seite.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7826,8 +7826,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
-            <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
-            <translation>{size:g}; mindestens 0, weniger als {room:g}, {otherwise}</translation>
+            <source>{size:g}; at least 0, less than {limit:g}, {otherwise}</source>
+            <translation>{size:g}; mindestens 0, weniger als {limit:g}, {otherwise}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerances.py" />
@@ -7926,8 +7926,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>a higher base or a smaller minimal thickness gives it room</source>
-            <translation>eine höhere Basis oder eine kleinere Mindestdicke schafft Platz</translation>
+            <source>raise the base, or lower the minimal thickness</source>
+            <translation>die Basis anheben oder die Mindestdicke verringern</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
@@ -7986,8 +7986,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>the screen leaves room for {thickest:.3g} {unit}</source>
-            <translation>der Schirm lässt Platz für {thickest:.3g} {unit}</translation>
+            <source>the screen allows {thickest:.3g} {unit}</source>
+            <translation>der Schirm erlaubt {thickest:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
@@ -8216,8 +8216,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/transport/first_design.py" />
-            <source>first lens: {tried}; it begins with {best}</source>
-            <translation>erste Linse: {tried}; genommen: {best}</translation>
+            <source>first design: {tried}; it begins with {best}</source>
+            <translation>erster Entwurf: {tried}; genommen: {best}</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />
@@ -8351,8 +8351,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/formats.py" />
-            <source>has no ending that tells a format; one of {endings}</source>
-            <translation>hat keine Endung, die ein Format nennt; eine von {endings}</translation>
+            <source>has no known ending; use one of {endings}</source>
+            <translation>hat keine bekannte Endung; möglich: {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/gcode.py" />
@@ -9361,13 +9361,13 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{height:g} leaves no room above the minimal thickness; more than {least:g}</source>
-            <translation>{height:g} lässt keinen Raum über der kleinsten Dicke; mehr als {least:g}</translation>
+            <source>{height:g} is below the minimal thickness; use more than {least:g}</source>
+            <translation>{height:g} liegt unter der kleinsten Dicke; mehr als {least:g} nehmen</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{height:g} leaves no room below the maximal thickness; less than {most:g}</source>
-            <translation>{height:g} lässt keinen Raum unter der größten Dicke; weniger als {most:g}</translation>
+            <source>{height:g} is above the maximal thickness; use less than {most:g}</source>
+            <translation>{height:g} liegt über der größten Dicke; weniger als {most:g} nehmen</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />

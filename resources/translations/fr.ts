@@ -220,8 +220,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>A rough first lens; see how much of its roughness is left in the end.</source>
-            <translation>Une première lentille rugueuse ; on voit ce qu'il en reste à la fin.</translation>
+            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
+            <translation>Une lentille initiale rugueuse ; on voit la rugosité qui reste à la fin.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -2325,8 +2325,8 @@
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
-            <source>{name} had unsaved changes when the program was told to end.</source>
-            <translation>{name} avait des modifications non enregistrées à la fermeture du programme.</translation>
+            <source>{name} had unsaved changes when the program was terminated.</source>
+            <translation>{name} avait des modifications non enregistrées à l'arrêt du programme.</translation>
         </message>
         <message>
             <location filename="../../ui/files/recovery.py" />
@@ -4040,13 +4040,13 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended before its first lens</source>
-            <translation>Exécution terminée avant sa première lentille</translation>
+            <source>Run ended without a lens</source>
+            <translation>Exécution terminée sans lentille</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended before its first mirror</source>
-            <translation>Exécution terminée avant son premier miroir</translation>
+            <source>Run ended without a mirror</source>
+            <translation>Exécution terminée sans miroir</translation>
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
@@ -5251,8 +5251,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light that passes the optic and the screen by. One that sends much light here wastes it, or has more than its surface can bend.</source>
-            <translation>Lumière qui passe à côté de l'optique et de l'écran. Une optique qui en envoie beaucoup ici la gaspille, ou en a plus que sa surface n'en peut dévier.</translation>
+            <source>Light that leaves the last element and misses the screen. Much of it means that the designed faces cannot deflect all light to the image.</source>
+            <translation>Lumière qui quitte le dernier élément et manque l'écran. S'il y en a beaucoup, les faces conçues ne peuvent pas dévier toute la lumière vers l'image.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5376,8 +5376,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light that passes the optic and the far field by. One that sends much light here wastes it, or has more than its surface can bend.</source>
-            <translation>Lumière qui passe à côté de l'optique et du champ lointain. Une optique qui en envoie beaucoup ici la gaspille, ou en a plus que sa surface n'en peut dévier.</translation>
+            <source>Light that leaves the last element and misses the far field. Much of it means that the designed faces cannot deflect all light to the image.</source>
+            <translation>Lumière qui quitte le dernier élément et manque le champ lointain. S'il y en a beaucoup, les faces conçues ne peuvent pas dévier toute la lumière vers l'image.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6731,8 +6731,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any will do.</source>
-            <translation>Rayon de la fraise hémisphérique qui doit convenir partout aux faces de forme libre. Les creux s'y tiennent ; les bosses peuvent être plus vives. Fabrication dit si elle convient. Vide : quelconque.</translation>
+            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture shows whether it fits. Left empty, any will do.</source>
+            <translation>Rayon de la fraise hémisphérique qui doit convenir partout aux faces de forme libre. Les creux s'y tiennent ; les bosses peuvent être plus vives. Fabrication montre si elle convient. Vide : quelconque.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6966,8 +6966,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A lamp at the ceiling, or on the floor, lights a wall evenly from the side.</source>
-            <translation>Une lampe au plafond, ou au sol, éclaire un mur uniformément de côté.</translation>
+            <source>A lamp above or below a wall lights it evenly from the side.</source>
+            <translation>Une lampe en haut ou en bas d'un mur l'éclaire uniformément de côté.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7826,8 +7826,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
-            <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
-            <translation>{size:g} ; au moins 0, moins de {room:g}, {otherwise}</translation>
+            <source>{size:g}; at least 0, less than {limit:g}, {otherwise}</source>
+            <translation>{size:g} ; au moins 0, moins de {limit:g}, {otherwise}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerances.py" />
@@ -7926,8 +7926,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>a higher base or a smaller minimal thickness gives it room</source>
-            <translation>une base plus haute ou une épaisseur minimale plus petite donne de la place</translation>
+            <source>raise the base, or lower the minimal thickness</source>
+            <translation>relevez la base ou réduisez l'épaisseur minimale</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
@@ -7986,8 +7986,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
-            <source>the screen leaves room for {thickest:.3g} {unit}</source>
-            <translation>l'écran laisse de la place pour {thickest:.3g} {unit}</translation>
+            <source>the screen allows {thickest:.3g} {unit}</source>
+            <translation>l'écran permet {thickest:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/limits.py" />
@@ -8216,8 +8216,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/transport/first_design.py" />
-            <source>first lens: {tried}; it begins with {best}</source>
-            <translation>première lentille : {tried} ; retenu : {best}</translation>
+            <source>first design: {tried}; it begins with {best}</source>
+            <translation>première conception : {tried} ; retenu : {best}</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />
@@ -8351,8 +8351,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/formats.py" />
-            <source>has no ending that tells a format; one of {endings}</source>
-            <translation>n'a pas d'extension qui indique un format ; l'une de {endings}</translation>
+            <source>has no known ending; use one of {endings}</source>
+            <translation>n'a pas d'extension connue ; l'une de {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/gcode.py" />
@@ -9361,13 +9361,13 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{height:g} leaves no room above the minimal thickness; more than {least:g}</source>
-            <translation>{height:g} ne laisse pas de place au-dessus de l'épaisseur minimale ; plus de {least:g}</translation>
+            <source>{height:g} is below the minimal thickness; use more than {least:g}</source>
+            <translation>{height:g} est sous l'épaisseur minimale ; prenez plus de {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{height:g} leaves no room below the maximal thickness; less than {most:g}</source>
-            <translation>{height:g} ne laisse pas de place au-dessous de l'épaisseur maximale ; moins de {most:g}</translation>
+            <source>{height:g} is above the maximal thickness; use less than {most:g}</source>
+            <translation>{height:g} est au-dessus de l'épaisseur maximale ; prenez moins de {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />

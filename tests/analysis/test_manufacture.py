@@ -60,7 +60,7 @@ def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     assert 1 / found.tightest_concave.bound >= maps.concave.max() - 1e-9
     assert 1 / found.tightest_convex.bound >= maps.convex.max() - 1e-9
     assert found.tightest_convex.value == pytest.approx(1 / maps.convex.max(), rel=1e-3)
-    # Within its places, the extreme is where it is said to be.
+    # Within its places, the extreme is where it is stated to be.
     u = (np.array(found.thickest.place) / lens.half_width + 1) / 2
     there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights["lens.back"])[0]
     assert there.item() == pytest.approx(found.thickest.value)

@@ -1,4 +1,4 @@
-"""A check step by step: it tells how far it is, can be left, and finds what `validate` finds."""
+"""A check step by step: it reports progress, can be cancelled, and finds what `validate` finds."""
 
 import threading
 

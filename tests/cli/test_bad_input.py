@@ -107,9 +107,9 @@ def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, 
     start = np.full(scene.optic.net_shape, 0.5)
     write_session(Session(scene, np.ones((32, 32)), start=FaceArrays({"lens.back": start})), path)
     verb, *tail = command
-    said = refusal(verb, path, *tail)
-    assert "its lens was designed for another task" in said
-    assert "goes on from it" in said
+    stated = refusal(verb, path, *tail)
+    assert "its lens was designed for another task" in stated
+    assert "goes on from it" in stated
 
 
 class TestOutput:

@@ -19,10 +19,10 @@ def fake_suite(monkeypatch):
     def put(*events):
         limits = []
 
-        def measure(iterations, tell):
+        def measure(iterations, report):
             limits.append(iterations)
             for event in events:
-                tell("which way", "soon")
+                report("which way", "soon")
                 if isinstance(event, BaseException):
                     raise event
                 yield event

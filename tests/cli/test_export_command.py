@@ -41,7 +41,7 @@ def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
 @pytest.mark.parametrize(
     "arguments, reason",
     [
-        (["a.step", "a.dwg"], "a.dwg: has no ending that tells a format; one of .step, "),
+        (["a.step", "a.dwg"], "a.dwg: has no known ending; use one of .step, "),
         (["missing/a.step"], "missing/a.step: cannot be written: its folder does not exist"),
         (["lens.freeform"], "lens.freeform: is the session itself; another file is needed"),
         (["a.stl", "--chord-error", "0"], "'0'; a number greater than 0 is needed"),

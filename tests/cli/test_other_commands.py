@@ -107,9 +107,11 @@ class TestValidate:
         monkeypatch.setattr("workbench.analysis.validation.Trace", in_denser_glass)
         status, stdout, stderr = freeform("validate", lens, "--rays", 100_000, "--json")
         assert status == 1
-        said = json.loads(stdout)["contradiction"]
-        assert said.startswith("the check contradicts itself: 92.16 % of the light on the receiver")
-        assert stderr.splitlines()[-1] == f"freeform: {said}"
+        stated = json.loads(stdout)["contradiction"]
+        assert stated.startswith(
+            "the check contradicts itself: 92.16 % of the light on the receiver"
+        )
+        assert stderr.splitlines()[-1] == f"freeform: {stated}"
 
     @pytest.mark.full
     def test_with_mitsuba(self, freeform, lens, monkeypatch):

@@ -61,19 +61,19 @@ def lens(wavy, tmp_path):
 @pytest.fixture(scope="module")
 def reports(wavy, white):
     """The folder of both reports of that lens, ``out.html`` and ``out.pdf``."""
-    said = io.StringIO()
+    stated = io.StringIO()
     files = wavy.with_name("out.html"), wavy.with_name("out.pdf")
     arguments = [str(argument) for argument in ("report", wavy, *files, *RAYS, *OFF)]
     with (
         pytest.MonkeyPatch.context() as patch,
-        contextlib.redirect_stdout(said),
-        contextlib.redirect_stderr(said),
+        contextlib.redirect_stdout(stated),
+        contextlib.redirect_stderr(stated),
     ):
         patch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
         patch.setattr("workbench.cli.output._LINES", math.inf)
         patch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
         status = main(arguments)
-    assert (status, said.getvalue()) == (0, "")
+    assert (status, stated.getvalue()) == (0, "")
     return wavy.parent
 
 

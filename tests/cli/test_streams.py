@@ -1,4 +1,4 @@
-"""Standard output and error that are closed, broken or full: work is done, one line tells."""
+"""Standard output and error that are closed, broken or full: work is done, one line reports it."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""Blur of an extended source in the design: even, changing, and the first lens for it."""
+"""Blur of an extended source in the design: even, changing, and the first design for it."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The range of a run: what its task needs of it, and what is said where that is not allowed."""
+"""The range of a run: what its task needs of it, and what is stated where that is not allowed."""
 
 import numpy as np
 import pytest

@@ -41,7 +41,7 @@ def _descended(wanted, *descents, left=200):
         widths = {"lens.back": 1.0}
         return FaceWaves(begin, descent.power, (False, False), widths, longest=descent.longest)
 
-    # It costs so much that few steps tell whether they gain something.
+    # It costs so much that few steps show whether they gain something.
     image = SimpleNamespace(effort=768**2)
     steps, nets = descend(image, evaluated, begin, waves_of, descents, left), []
     while True:

@@ -74,7 +74,7 @@ def test_the_pace_is_that_of_the_last_seconds():
 
 
 def test_the_first_lens_and_the_first_step_tell_no_pace():
-    """Compiling and a first lens of 15 s each, then steps of 0.1 s."""
+    """Compiling and a first design of 15 s each, then steps of 0.1 s."""
     steps, pace = [(0.0, 0), *((30 + 0.1 * i, i) for i in range(1, 5))], Pace()
     for step in steps[:-1]:
         pace.note(*step)

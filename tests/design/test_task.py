@@ -25,7 +25,7 @@ def test_a_lamp_that_shines_away_from_the_lens_is_refused(make_scene, tmp_path):
         check_stages(scene.stage_scenes(), 0, None, {})
 
 
-def test_a_screen_that_light_grazes_is_said_with_what_helps(make_scene):
+def test_a_screen_that_light_grazes_is_stated_with_what_helps(make_scene):
     wall = {
         "version": 2,
         "screen.z": 4.0,
@@ -33,8 +33,8 @@ def test_a_screen_that_light_grazes_is_said_with_what_helps(make_scene):
         "lens.half_width": [0.1, 0.1],
     }
     assert grazed(make_scene(wall | {"screen.tilt": [20.0, 0.0]})) is None
-    said = grazed(make_scene(wall | {"screen.tilt": [52.0, 0.0]}))
-    assert "from across it" in said and "turn the screen towards the lens" in said
+    stated = grazed(make_scene(wall | {"screen.tilt": [52.0, 0.0]}))
+    assert "from across it" in stated and "turn the screen towards the lens" in stated
 
 
 POINT = {"kind": "point", "position": [0, 0, -3], "rays": 4096}
@@ -57,7 +57,7 @@ TWO_FACES = {"shape": "freeform", "control_points": [8, 8], "degree": [3, 3]}
         ({"source": POINT}, "samples on the exit face, "),
         ({"source": AREA}, "beams run between points "),
         ({"source": SUN}, "its light is blurred over "),
-        ({"lens.entrance": TWO_FACES}, "first lens: "),
+        ({"lens.entrance": TWO_FACES}, "first design: "),
         ({"lens.control_points": "auto"}, "control points: "),
         ({"lens.height_range": None}, "heights within "),
     ],

@@ -1,4 +1,4 @@
-"""The bound of a scene: what is said of it, and that it holds for lenses that are traced."""
+"""The bound of a scene: what is stated of it, and that it holds for lenses that are traced."""
 
 import numpy as np
 import pytest

@@ -50,7 +50,7 @@ def least_error(images: np.ndarray, target: np.ndarray) -> float:
     parts, _ = nnls(matrix, np.append(np.zeros_like(wanted), 1.0))
     parts /= parts.sum()
     off = images @ parts - wanted
-    # No image is nearer to the target along the way that is left: it is the least.
+    # No image is nearer to the target along the rest of the way: it is the least.
     assert (off @ (images - wanted[:, None])).min() >= (1 - 1e-4) * off @ off
     return float(np.linalg.norm(off) / np.linalg.norm(wanted))
 

@@ -192,7 +192,7 @@ def _packed(entries: list[Entry], kinds: dict[str, int | None], comment: bytes =
 
 
 def _with_sizes(content: bytes, random: Random) -> bytes:
-    """Absurd numbers where local headers or the directory tell sizes, offsets and flags."""
+    """Absurd numbers where local headers or the directory state sizes, offsets and flags."""
     changed = bytearray(content)
     mark, fields = random.choice(
         [(b"PK\x01\x02", (6, 8, 10, 16, 20, 24, 28, 30, 32, 42)), (b"PK\x03\x04", (6, 8, 18, 22))]

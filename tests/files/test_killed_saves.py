@@ -41,7 +41,7 @@ def export_all(session, folder):
 
 
 def save_for_ever(write, sessions, folder, message):
-    """Save one after the other again and again; tell how long the first round took."""
+    """Save one after the other again and again; report how long the first round took."""
     begin = time.monotonic()
     for round_ in itertools.count():
         for session in sessions:

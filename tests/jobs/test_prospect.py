@@ -101,21 +101,21 @@ def test_an_estimate_of_a_narrow_lamp_counts_what_passes_the_lens_by():
     assert 0.8 * caught < estimate.light < 0.95 * caught
 
 
-def test_a_turn_that_no_face_can_make_is_said():
-    said = figures_at_once(
+def test_a_turn_that_no_face_can_make_is_stated():
+    stated = figures_at_once(
         SunPlate().with_answers(EVEN | {"distance": 60.0, "image_size": [400.0, 400.0]})
     )
-    assert said["Largest slope"].warns
-    assert "at most" in said["Largest slope"].meaning
+    assert stated["Largest slope"].warns
+    assert "at most" in stated["Largest slope"].meaning
 
 
-def test_light_that_passes_the_lens_by_is_said():
+def test_light_that_passes_the_lens_by_is_stated():
     """Of a Lambertian lamp at h before a square: Gebhart's view factor of a point and a corner."""
     job = Torch().with_answers(EVEN)
     half, height = job.size[0] / 2, job.lamp_distance
     slant = math.hypot(half, height)
     caught = 4 / math.pi * (half / slant) * math.atan(half / slant)
-    said = figures_at_once(job)["Light on the lens"]
-    assert said.value == f"{100 * caught:.0f} % of it" and said.warns
+    stated = figures_at_once(job)["Light on the lens"]
+    assert stated.value == f"{100 * caught:.0f} % of it" and stated.warns
     assert "Light on the lens" not in figures_at_once(SunPlate().with_answers(EVEN))
     assert not figures_at_once(LedRectangle())["Light on the lens"].warns

@@ -1,4 +1,4 @@
-"""In what the light of a scene is told."""
+"""The unit in which the light of a scene is stated."""
 
 import math
 
@@ -23,7 +23,7 @@ WAY = (DISTANCE + SCREEN - THICKNESS + THICKNESS / 1.5) / 100
 
 
 def middle(scene):
-    """What is told of the light in the middle of the screen behind a plate."""
+    """What is stated of the light in the middle of the screen behind a plate."""
     net = ControlNet.of(scene.optic)
     flat = {"lens.back": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
     count = 64 if scene.source.continuous else 1

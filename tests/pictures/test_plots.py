@@ -84,8 +84,8 @@ def test_a_cut_across_a_far_field_is_where_its_angles_are(make_scene, rng, along
     curves.update(image, cut_through(scene, along, (43.0, -1.0)))  # row 1, column 6
     degrees = {"x": 12.5 + 5 * np.arange(8), "y": -12.5 + 5 * np.arange(4)}[along]
     np.testing.assert_allclose(curves.artists[1].get_data(), [degrees, image[line]])
-    said = {"x": "H (°) at V = -1°", "y": "V (°) at H = 43°"}[along]
-    assert (axes.get_xlabel(), axes.get_ylabel()) == (said, "flux / sr")
+    stated = {"x": "H (°) at V = -1°", "y": "V (°) at H = 43°"}[along]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (stated, "flux / sr")
     assert axes.get_legend().get_texts()[1].get_text() == "intensity"
 
 

@@ -34,15 +34,15 @@ def test_each_text_of_the_window_is_in_both_dictionaries_and_no_other_is(diction
 
 def test_each_translation_is_finished(dictionary):
     file, found = dictionary
-    assert [text for text, said in found.items() if not said] == [], f"{file}: {CURE}"
+    assert [text for text, stated in found.items() if not stated] == [], f"{file}: {CURE}"
 
 
 def test_a_translation_has_the_values_mnemonic_and_ellipsis_of_its_text(dictionary):
     _, found = dictionary
-    for text, said in found.items():
-        assert sorted(_BRACES.findall(said)) == sorted(_BRACES.findall(text)), text
-        assert said.count("&") == text.count("&"), text
-        assert said.endswith("…") is text.endswith("…"), text
+    for text, stated in found.items():
+        assert sorted(_BRACES.findall(stated)) == sorted(_BRACES.findall(text)), text
+        assert stated.count("&") == text.count("&"), text
+        assert stated.endswith("…") is text.endswith("…"), text
 
 
 def test_compiled_dictionaries_are_what_their_sources_give(dictionary, tmp_path):
@@ -52,14 +52,14 @@ def test_compiled_dictionaries_are_what_their_sources_give(dictionary, tmp_path)
     assert compiled.read_bytes() == file.with_suffix(".qm").read_bytes(), CURE
 
 
-def mnemonics(entries, said):
+def mnemonics(entries, stated):
     """Mnemonics of a menu, by letter, and those of menus within it."""
     found: dict[str, list[str]] = {}
     for entry in entries:
         if entry is None:
             continue
         text = entry[0] if isinstance(entry, tuple) else COMMANDS[entry].text
-        text = said.get(text.replace("{optic}", "lens"), text)
+        text = stated.get(text.replace("{optic}", "lens"), text)
         if "&" in text:
             found.setdefault(text[text.index("&") + 1].lower(), []).append(text)
     return found
@@ -74,9 +74,9 @@ def menus(entries):
 
 
 def test_no_two_entries_of_a_menu_have_one_mnemonic(dictionary):
-    _, said = dictionary
+    _, stated = dictionary
     for entries in menus([*MENUS.items()]):
-        shared = [texts for texts in mnemonics(entries, said).values() if len(texts) > 1]
+        shared = [texts for texts in mnemonics(entries, stated).values() if len(texts) > 1]
         assert not shared
 
 

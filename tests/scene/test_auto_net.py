@@ -70,8 +70,8 @@ def test_a_mesh_is_checked_with_the_chosen_net(make_scene):
 
 
 def test_the_schema_allows_numbers_and_auto():
-    said = SplineFace.model_json_schema()["properties"]["control_points"]
-    numbers, auto = said["anyOf"]
+    stated = SplineFace.model_json_schema()["properties"]["control_points"]
+    numbers, auto = stated["anyOf"]
     assert auto == {"const": "auto"} and numbers["maxItems"] == 2
     (field,) = (field for field in SplineFace.fields() if field.name == "control_points")
     assert field.auto and not field.optional and field.count == 2

@@ -1,4 +1,4 @@
-"""The entrance face of a lens: flat, or a second B-spline whose room is known beforehand."""
+"""The entrance face of a lens: flat, or a second B-spline whose range is known beforehand."""
 
 import numpy as np
 import pytest
@@ -45,7 +45,7 @@ def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene)
 
 
 @pytest.mark.parametrize(
-    ("changes", "room"),
+    ("changes", "rise"),
     [
         ({}, 0.25),
         ({"lens.height_range": None}, 0.25),
@@ -53,18 +53,18 @@ def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene)
         ({"lens.height_range": None, "lens.max_thickness": 0.3}, (0.3 - 0.05) / 2),
     ],
 )
-def test_an_automatic_entrance_face_shares_the_glass_with_the_exit_face(make_scene, changes, room):
+def test_an_automatic_entrance_face_shares_the_glass_with_the_exit_face(make_scene, changes, rise):
     lens = make_scene({"lens.entrance": FREEFORM, **changes}).optic
     assert lens.front_z == 0.0
-    assert lens.entrance_range == pytest.approx((0.0, room))
-    assert lens.floor == pytest.approx(room + 0.05)
+    assert lens.entrance_range == pytest.approx((0.0, rise))
+    assert lens.z_min == pytest.approx(rise + 0.05)
 
 
 def test_an_automatic_entrance_face_rises_by_no_more_than_half_the_way_from_the_source(make_scene):
     near = {"source": {"kind": "point", "position": [0, 0, -0.2]}}
     automatic = bounded(make_scene({"lens.entrance": FREEFORM, **near}))
     assert automatic.entrance_range == pytest.approx((0.0, 0.1))
-    assert automatic.floor == pytest.approx(0.1 + 0.05)
+    assert automatic.z_min == pytest.approx(0.1 + 0.05)
     own = {**FREEFORM, "height_range": [-0.1, 0.3]}
     assert bounded(make_scene({"lens.entrance": own, **near})).entrance_range == (-0.1, 0.3)
 
@@ -74,7 +74,7 @@ def test_an_automatic_entrance_face_has_half_of_thick_glass_for_several_images(m
     assert bounded(make_scene(thick)).entrance_range == pytest.approx((0.0, 0.25))
     several = bounded(make_scene({**thick, "further_images": [SECOND]}))
     assert several.entrance_range == pytest.approx((0.0, 0.5))
-    assert several.floor == pytest.approx(0.5 + 0.05)
+    assert several.z_min == pytest.approx(0.5 + 0.05)
     near = {"source": {"kind": "point", "position": [0, 0, -0.8]}}
     near_range = bounded(make_scene({**thick, **near, "further_images": [SECOND]})).entrance_range
     assert near_range == pytest.approx((0.0, 0.4))
@@ -121,12 +121,12 @@ def test_an_undesigned_entrance_face_is_in_the_middle_of_its_own_range(make_scen
         (
             {"height_range": [-0.1, 0.8]},
             {},
-            r"lens.height_range\[1\]: 0.3 leaves no room above the minimal thickness",
+            r"lens.height_range\[1\]: 0.3 is below the minimal thickness",
         ),
         (
             {"height_range": [-0.1, 0.3]},
             {"lens.max_thickness": 0.3},
-            r"lens.max_thickness: 0.3 leaves no room above the minimal thickness",
+            r"lens.max_thickness: 0.3 is below the minimal thickness",
         ),
         ({"shape": "round"}, {}, r"lens.entrance.shape: 'round' is not available"),
         ({"radius": 1}, {}, r"lens.entrance.radius: unknown field"),

@@ -51,14 +51,16 @@ def test_every_field_has_a_title_and_a_tip(part):
 def test_the_schema_says_what_the_fields_say(part):
     schema = part.model_json_schema()
     for field in part.fields():
-        said = schema["properties"][field.name]
+        stated = schema["properties"][field.name]
         if field.tip:
             # Where there is one kind only, it is that which has the title.
-            kind = schema["$defs"][said["$ref"].rpartition("/")[2]] if "$ref" in said else said
+            kind = (
+                schema["$defs"][stated["$ref"].rpartition("/")[2]] if "$ref" in stated else stated
+            )
             assert kind["title"] == field.title
-            assert said["description"] == field.tip
+            assert stated["description"] == field.tip
         if words := field.measure.words_in("length"):
-            assert said["unit"] == words
+            assert stated["unit"] == words
 
 
 def test_a_field_states_its_limits():

@@ -49,7 +49,7 @@ def test_absorption_is_per_length(scene_data):
 
 
 @pytest.mark.parametrize(
-    ("lens", "path", "said"),
+    ("lens", "path", "stated"),
     [
         ({"reflection": "mirror"}, "lens.reflection", "'fresnel', 'schlick' or 'none'"),
         ({"coating": [0.1, 1.0]}, "lens.coating[1]", "1.0"),
@@ -61,11 +61,11 @@ def test_absorption_is_per_length(scene_data):
         ({"absorption": 30.0}, "lens.absorption", "at most 27.6"),
     ],
 )
-def test_impossible_loss_is_refused_with_its_path(scene_data, lens, path, said):
+def test_impossible_loss_is_refused_with_its_path(scene_data, lens, path, stated):
     with pytest.raises(Refused) as refused:
         read(scene_data, 2, **lens)
     assert refused.value.path == path
-    assert said in refused.value.reason
+    assert stated in refused.value.reason
 
 
 @pytest.mark.parametrize("number", ["NaN", "Infinity"])

@@ -17,7 +17,7 @@ def test_a_photometric_file_needs_version_2(make_scene):
 
 
 @pytest.mark.parametrize(
-    ("source", "said"),
+    ("source", "stated"),
     [
         ({"file": "lamp.txt"}, "source.file: 'lamp.txt' is none of these: .ies, .ldt"),
         ({"file": ""}, "source.file: '' is empty"),
@@ -28,8 +28,8 @@ def test_a_photometric_file_needs_version_2(make_scene):
         ({"rays": 0}, "source.rays: 0 is too small"),
     ],
 )
-def test_impossible_measured_source_is_refused(make_scene, source, said):
-    with pytest.raises(Refused, match=f"^{said}"):
+def test_impossible_measured_source_is_refused(make_scene, source, stated):
+    with pytest.raises(Refused, match=f"^{stated}"):
         make_scene({"source": LAMP | source})
 
 

@@ -1,4 +1,4 @@
-"""The scene file: what it may leave out, what is refused and how that is said."""
+"""The scene file: what it may leave out, what is refused and how that is stated."""
 
 import math
 
@@ -76,9 +76,9 @@ REFUSED = [
     ("lens.refractive_index", True, "lens.refractive_index: True is neither a number nor a name"),
     ("lens.refractive_index", "PMMA", "lens.wavelength_um: missing; it goes with 'PMMA'"),
     ("lens.height_range", [0.3, -0.3], "lens.height_range: [0.3, -0.3] is empty"),
-    ("lens.height_range", [-0.5, -0.45], "lens.height_range[1]: -0.45 leaves no room above"),
-    ("lens.max_thickness", 0.05, "lens.max_thickness: 0.05 leaves no room above"),
-    ("lens.max_thickness", 0.2, "lens.height_range[0]: -0.3 leaves no room below"),
+    ("lens.height_range", [-0.5, -0.45], "lens.height_range[1]: -0.45 is below the minimal"),
+    ("lens.max_thickness", 0.05, "lens.max_thickness: 0.05 is below the minimal"),
+    ("lens.max_thickness", 0.2, "lens.height_range[0]: -0.3 is above the maximal"),
     ("lens.max_thickness", 0, "lens.max_thickness: 0"),
     ("source", {"kind": "laser"}, "source.kind: 'laser' is not available; allowed: 'collimated'"),
     ("source", {"kind": "point"}, "source.position: missing; it is required"),

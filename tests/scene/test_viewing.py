@@ -167,7 +167,7 @@ def test_the_side_comes_back_from_the_file(tmp_path):
         assert Scene.from_json(scene.to_json()) == scene
 
 
-def test_the_side_is_said_in_words(tmp_path):
+def test_the_side_is_stated_in_words(tmp_path):
     lens = scene_of("lens", tmp_path, viewed_from="front")
     assert side_in_words(lens, "front") == "viewed from the side of the light"
     assert side_in_words(lens, pixel_side(lens)) == "viewed from behind the screen"

@@ -5,7 +5,7 @@ import pytest
 
 @pytest.fixture(scope="session")
 def kernels():
-    """Kernels compiled beforehand: the program does not do so while it is watched."""
+    """Kernels compiled beforehand: the program does not do so while it is monitored."""
     import torch
 
     from workbench.analysis.kernels import compile_all

@@ -29,7 +29,7 @@ from shiboken6 import isValid
 import resources
 from tests.soak.actions import ACTIONS, windows
 from tests.soak.dialogs import answer, open_dialog
-from tests.soak.watch import Watch, resident_mb
+from tests.soak.monitor import Monitor, resident_mb
 from tests.stress.random_trains import TrainDraw
 from ui import app
 from ui.main_window import MainWindow
@@ -74,7 +74,7 @@ class Monkey(QObject):
         self._warm_mb, self._warm_rests = 0.0, 0  # memory after the warm-up, and rests until then
         self._acting = False
         self._doing: Generator[int, None, None] | None = None
-        self.watch = Watch(self.log, folder / "stacks.txt", _scenes)
+        self.monitor = Monitor(self.log, folder / "stacks.txt", _scenes)
 
     def log(self, line: str) -> None:
         """Write a line with the time since the start."""
@@ -87,15 +87,15 @@ class Monkey(QObject):
         self._tick()
 
     def close(self) -> None:
-        """Look for what is left once the program has ended."""
+        """Look for what remains once the program has ended."""
         for thread in threading.enumerate():
             other = thread not in (threading.main_thread(), threading.current_thread())
             if other and not thread.daemon and not isinstance(thread, threading._DummyThread):
-                self.watch.tell(f"thread left: {thread.name}")
+                self.monitor.report(f"thread left: {thread.name}")
         for of_qt in [each for each in gc.get_objects() if type(each) is QThread]:
             if isValid(of_qt) and of_qt.isRunning():
-                self.watch.tell(f"running thread left: {of_qt}")
-        self.watch.close()
+                self.monitor.report(f"running thread left: {of_qt}")
+        self.monitor.close()
         self._log.close()
 
     def _tick(self) -> None:
@@ -194,7 +194,7 @@ class Monkey(QObject):
             self._warm_mb, self._warm_rests = self.memory[-1], len(self.memory)
         later = self.memory[self._warm_rests :][-RESTS:]
         if len(later) == RESTS and min(later) > self._warm_mb + GROWTH_MB:
-            self.watch.tell(f"memory grew from {self._warm_mb:.0f} to {min(later):.0f} MB")
+            self.monitor.report(f"memory grew from {self._warm_mb:.0f} to {min(later):.0f} MB")
         self._calm = False
 
     def _still(self, window: MainWindow) -> Generator[int, None, None]:
@@ -211,7 +211,7 @@ class Monkey(QObject):
         give_up = time.monotonic() + _PATIENCE
         while not condition():
             if time.monotonic() > give_up:
-                self.watch.tell(f"waited in vain for {what}; threads: {', '.join(_threads())}")
+                self.monitor.report(f"waited in vain for {what}; threads: {', '.join(_threads())}")
                 return
             yield 100
 
@@ -257,12 +257,12 @@ def main() -> int:
     report = {
         "seed": options.seed,
         "steps": monkey.steps,
-        "problems": monkey.watch.problems,
-        "longest_s": round(monkey.watch.longest, 2),
+        "problems": monkey.monitor.problems,
+        "longest_s": round(monkey.monitor.longest, 2),
         "memory_mb": [round(mb) for mb in monkey.memory],
     }
     print(json.dumps(report))
-    return status or int(bool(monkey.watch.problems))
+    return status or int(bool(monkey.monitor.problems))
 
 
 def _furnish(folder: Path) -> None:

@@ -82,14 +82,14 @@ class Screen:
 @contextmanager
 def virtual_screen(folder: Path, size: tuple[int, int] = SIZE) -> Iterator[Screen]:
     """A screen without a window manager, whose picture lies in ``folder``."""
-    ready, tell = os.pipe()
-    command = ["Xvfb", "-displayfd", tell, "-screen", 0, f"{size[0]}x{size[1]}x24"]
+    ready, answer = os.pipe()
+    command = ["Xvfb", "-displayfd", answer, "-screen", 0, f"{size[0]}x{size[1]}x24"]
     server = subprocess.Popen(
         [str(word) for word in [*command, "-fbdir", folder]],
-        pass_fds=[tell],
+        pass_fds=[answer],
         stderr=subprocess.DEVNULL,
     )
-    os.close(tell)
+    os.close(answer)
     try:
         with os.fdopen(ready) as reported:
             display = reported.readline().strip()

@@ -47,19 +47,19 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     descents: list[list[float]] = []
     minimise = descent.minimise
 
-    def watched(*args: Any) -> Any:
+    def observed(*args: Any) -> Any:
         values: list[float] = []
         descents.append(values)
         for x, found in minimise(*args):
             values.append(found.value)
             yield x, found
 
-    monkeypatch.setattr(descent, "minimise", watched)
+    monkeypatch.setattr(descent, "minimise", observed)
     scene = case.scene
     settings = scene.run.model_copy(update={"iterations": 6})
     scene = scene.model_copy(update={"run": settings})
     allowed = HeightLimits.of_faces(scene.optic)
-    said = ""
+    stated = ""
     best: list[float] = []
     try:
         for snapshot in run(scene, target(image, scene)):
@@ -74,10 +74,10 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
             if snapshot.best and not snapshot.judged:
                 best.append(snapshot.merit)  # a lens without light is worse than any other
     except (Refused, RunFailed) as error:
-        said = str(error)
-        assert said.strip()
-        assert "\n" not in said
+        stated = str(error)
+        assert stated.strip()
+        assert "\n" not in stated
     assert (np.diff(best) < 0).all()
     for values in descents:
         assert (np.diff(values) <= 0).all()
-    return said
+    return stated

@@ -28,9 +28,9 @@ FEW_TRAINS = (6, 43)
     [*((TaskDraw, each) for each in FEW), *((TrainDraw, each) for each in FEW_TRAINS)],
 )
 def test_some_tasks(draw, number):
-    traced, said = disagreements(1, number, draw)
+    traced, stated = disagreements(1, number, draw)
     assert traced
-    assert not said, "\n".join(said)
+    assert not stated, "\n".join(stated)
 
 
 def lens(**fields):
@@ -96,5 +96,5 @@ def test_tasks_that_users_reported(task):
 def test_many_tasks(part, draw):
     found = [disagreements(SEED, EACH * part + number, draw) for number in range(EACH)]
     assert any(traced for traced, _ in found)  # most tasks are no refusals
-    said = [each for _, some in found for each in some]
-    assert not said, "\n".join(said)
+    stated = [each for _, some in found for each in some]
+    assert not stated, "\n".join(stated)

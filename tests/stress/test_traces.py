@@ -131,7 +131,7 @@ def test_many_units(case: Case):
 
 
 def test_every_one_of_many_rays_in_one_pixel_counts():
-    """Sums of float32 would lose light: each ray adds less than they can tell."""
+    """Sums of float32 would lose light: each ray adds less than they resolve."""
     one_pixel = {"screen.pixels": [1, 1], "filter": {"kind": "box"}}
     scene = plain({"source.rays": [1500, 1500]} | one_pixel).scene
     traced = Plan(scene).trace({"lens.back": torch.full((12, 10), 0.5, dtype=torch.float64)})

@@ -51,10 +51,10 @@ def test_chromaticities_weigh_the_channels(save, colours):
     np.testing.assert_allclose(found.light, expected, rtol=1e-3)
 
 
-@pytest.mark.parametrize(("value", "said"), [(np.nan, "NaN"), (np.inf, "infinite"), (-50, "-3")])
-def test_impossible_light_is_refused(save, colours, value, said):
+@pytest.mark.parametrize(("value", "stated"), [(np.nan, "NaN"), (np.inf, "infinite"), (-50, "-3")])
+def test_impossible_light_is_refused(save, colours, value, stated):
     colours["G"][2, 3] = value
-    with pytest.raises(Refused, match=said):
+    with pytest.raises(Refused, match=stated):
         read_picture(save(colours))
 
 

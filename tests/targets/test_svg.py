@@ -107,7 +107,7 @@ def test_a_picture_in_another_file_is_named_and_refused(save, element, link):
 
 
 @pytest.mark.parametrize(
-    ("inside", "outline", "said"),
+    ("inside", "outline", "stated"),
     [
         ("", 'width="0"', "invalid size"),
         ("<g>", "", "cannot be drawn"),
@@ -115,9 +115,11 @@ def test_a_picture_in_another_file_is_named_and_refused(save, element, link):
         ("", 'viewBox="0 0 x 1"', "cannot be drawn"),
     ],
 )
-def test_a_drawing_that_cannot_be_rendered_is_refused_without_a_crash(save, inside, outline, said):
+def test_a_drawing_that_cannot_be_rendered_is_refused_without_a_crash(
+    save, inside, outline, stated
+):
     path = save(inside, outline)
     with pytest.raises(Refused) as caught:
         read_image(path)
-    assert str(path) in caught.value.reason and said in caught.value.reason
+    assert str(path) in caught.value.reason and stated in caught.value.reason
     assert "\n" not in caught.value.reason

@@ -84,7 +84,7 @@ def test_npy_holds_the_values_themselves(tmp_path, dtype, order):
 
 
 @pytest.mark.parametrize(
-    ("array", "said"),
+    ("array", "stated"),
     [
         (np.array([[1.0, np.nan]]), "NaN"),
         (np.array([[1.0, np.inf]]), "infinite"),
@@ -97,10 +97,10 @@ def test_npy_holds_the_values_themselves(tmp_path, dtype, order):
         (np.array([[{}, 1]], dtype=object), "type object"),
     ],
 )
-def test_unusable_arrays_are_refused(tmp_path, array, said):
+def test_unusable_arrays_are_refused(tmp_path, array, stated):
     path = tmp_path / "a.npy"
     np.save(path, array, allow_pickle=True)
-    assert said in refusal(path)
+    assert stated in refusal(path)
 
 
 @pytest.mark.parametrize("kind", ["PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000"])

@@ -51,7 +51,9 @@ def test_text_stands_upright_and_fills_the_width():
     assert (rows[0], rows[-1]) == (0, 59)  # L is higher than wide
     assert light[:30].sum() < light[30:].sum()  # its foot is below
     columns = np.flatnonzero(light.sum(axis=0))
-    assert light[:, : columns.mean().astype(int)].sum() > 0.6 * light.sum()  # its stem is left
+    assert (
+        light[:, : columns.mean().astype(int)].sum() > 0.6 * light.sum()
+    )  # its stem is on the left
     wide = draw(TextTarget(text="Light for all"), screen((90, 60)), 1.0)
     lit = np.flatnonzero(wide.sum(axis=0))
     assert (lit[0], lit[-1]) == (0, 89)

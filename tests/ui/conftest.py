@@ -48,7 +48,7 @@ def keep_what_imports_made():
 def garbage_in_the_thread_of_the_window(qapp):
     """As in the program: else a run's thread deletes the Qt objects of tests that are over.
 
-    Tests of other rooms, which run in between, have no window whose thread would do it.
+    Tests of other packages, which run in between, have no window whose thread would do it.
     """
     collector = GarbageCollector(qapp)
     yield

@@ -20,7 +20,7 @@ def living():
     """Everything that a test must not leave behind, by id, with a name for each."""
     found = {id(w): f"top-level widget {w!r}" for w in QApplication.topLevelWidgets()}
     for thread in threading.enumerate():
-        # Python makes up a dummy for every QThread that it meets; those are told below.
+        # Python makes up a dummy for every QThread that it meets; those are reported below.
         if not isinstance(thread, threading._DummyThread):
             found[id(thread)] = f"thread {thread.name}"
     scene_parts = tuple(

@@ -23,7 +23,7 @@ SCENE = {
     "run": {"method": "paper", "iterations": 1_000_000},
 }
 
-# Where a field stands, told by a window of the same size with the same scene.
+# Where a field stands, reported by a window of the same size with the same scene.
 FIND = """
 import sys
 from PySide6.QtCore import QSettings

@@ -1,4 +1,4 @@
-"""The whole life of a window, again and again; the leak check looks at what is left."""
+"""The whole life of a window, again and again; the leak check looks at what remains."""
 
 import pytest
 

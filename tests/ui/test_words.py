@@ -36,7 +36,7 @@ def test_texts_are_english_without_a_dictionary():
 
 
 @pytest.mark.parametrize(
-    ("answers", "said"),
+    ("answers", "stated"),
     [
         (
             {"distance": 3.0},
@@ -47,12 +47,12 @@ def test_texts_are_english_without_a_dictionary():
         ({"material": "wood"}, "material: 'wood' gibt es nicht; erlaubt: "),
     ],
 )
-def test_refusals_are_said_in_the_language_of_the_window(answers, said, speaking):
+def test_refusals_are_stated_in_the_language_of_the_window(answers, stated, speaking):
     with pytest.raises(Refused) as refused:
         SunPlate(thickness=12.5).with_answers(answers)
     assert error_text(refused.value) == str(refused.value)
     speaking("de")
-    assert error_text(refused.value).startswith(said)
+    assert error_text(refused.value).startswith(stated)
 
 
 def test_labels_of_pictures_are_translated_and_units_stay(speaking):

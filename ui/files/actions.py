@@ -33,7 +33,7 @@ class RecentFiles:
     def paths(self) -> list[Path]:
         """At most ten files; some may be gone by now."""
         stored = self._settings.value(_RECENT_KEY)
-        if isinstance(stored, str):  # a list of one, as an ini file tells it
+        if isinstance(stored, str):  # a list of one, as an ini file returns it
             return [Path(stored)]
         named = stored if isinstance(stored, list) else []
         return [Path(path) for path in named if isinstance(path, str)]

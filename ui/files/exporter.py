@@ -246,7 +246,7 @@ class Reporter(LensWriter):
     _WORK = later("report")
 
     def choose_and_report(self) -> None:
-        """Ask for a file and write it; the ending of its name tells the format."""
+        """Ask for a file and write it; the ending of its name selects the format."""
         path = self.ask_for_name()
         if path is not None:
             self.report(path)

@@ -92,7 +92,7 @@ def find_left_behind(folder: Path) -> list[LeftBehind]:
             continue  # its window is open
         if not file.exists():
             remove_left_behind(file)
-            lock.unlock()  # which removes what is left of a window that had nothing to keep
+            lock.unlock()  # which removes the files of a window that had nothing to keep
             continue
         found.append(LeftBehind(file, About.read(about_of(file)), lock))
     return sorted(found, key=lambda each: each.kept_at, reverse=True)
@@ -138,7 +138,7 @@ def ask(work: LeftBehind, window: QWidget) -> RecoveryChoice:
     """Ask what to do with one."""
     icons, roles = QMessageBox.Icon, QMessageBox.ButtonRole
     text = (
-        tr("{name} had unsaved changes when the program was told to end.")
+        tr("{name} had unsaved changes when the program was terminated.")
         if work.about.ended
         else tr("The program ended unexpectedly. Unsaved changes to {name} were kept.")
     )

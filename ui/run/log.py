@@ -76,7 +76,7 @@ class RunLog(QObject):
     def _end(self) -> None:
         if self._last is None:
             called = self._document.session.scene.optic.called
-            self._log(tr("Run ended before its first {optic}", optic=called))
+            self._log(tr("Run ended without a {optic}", optic=called))
             return
         shot, session = self._last, self._document.session
         result, place = session.result, tr(session.scene.receiver.place)

@@ -30,7 +30,7 @@ from workbench.scene import (
 )
 from workbench.scene.part import row_of
 
-# Most triangles: single precision still tells so many apart.
+# Most triangles: single precision still distinguishes so many.
 _MOST = 1 << 19
 # In half-widths of the lens: their size for the brightest ray, and how far before the face they
 # are. Light of a mirror at 45° that meets them comes at a right angle to their normals, and half

@@ -46,7 +46,7 @@ class Picture(NamedTuple):
 
 
 def picture_of(scene: Scene) -> Picture:
-    """The picture that tells the light on the receiver of a scene.
+    """The picture of the light on the receiver of a scene.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def _to_far_field(
     n_x, n_y = counts
     x = middle[0] + (np.arange(n_x + 1) - n_x / 2) * size
     y = middle[1] - (np.arange(n_y + 1) - n_y / 2) * size
-    column, _ = far_field.to_pixels(np.degrees(np.arctan(x)), 0.0)  # x alone tells it
+    column, _ = far_field.to_pixels(np.degrees(np.arctan(x)), 0.0)  # it depends on x alone
     across = np.hypot(1.0, (x[1:] + x[:-1]) / 2)
     _, row = far_field.to_pixels(0.0, np.degrees(np.arctan2(y[:, None], across)))
     fine = np.arange(n_x * n_y).reshape(n_y, n_x)

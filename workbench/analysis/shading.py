@@ -37,17 +37,17 @@ class Shading:
     def figures(self) -> dict[str, Message]:
         """Blocked light in words, by the names of `SHADED`; empty without any."""
         parts = dict(zip(SHADED, (self.meets_again, self.through_receiver), strict=True))
-        said = {
+        figures = {
             name: Message("{part:.3g} % of the light", part=100 * part)
             for name, part in parts.items()
             if part
         }
         if self.at is not None:
             x, y = self.at
-            said[SHADED[0]] = Message(
-                "{share}, most around ({x:.4g}, {y:.4g})", share=said[SHADED[0]], x=x, y=y
+            figures[SHADED[0]] = Message(
+                "{share}, most around ({x:.4g}, {y:.4g})", share=figures[SHADED[0]], x=x, y=y
             )
-        return said
+        return figures
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""

@@ -238,9 +238,9 @@ def _check_below(name: str, size: float, limit: float, otherwise: str) -> None:
         raise Refused(
             name,
             Message(
-                "{size:g}; at least 0, less than {room:g}, {otherwise}",
+                "{size:g}; at least 0, less than {limit:g}, {otherwise}",
                 size=size,
-                room=limit,
+                limit=limit,
                 otherwise=otherwise,
             ),
         )

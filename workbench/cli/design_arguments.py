@@ -69,8 +69,8 @@ def add_bound(commands: Any) -> None:
     parser = add_verb(
         commands,
         "bound",
-        "Tell the least relative L2 error that any lens of a scene can reach, as its source has a "
-        "size that blurs the image, and how much of the light can be used. Nothing is designed.",
+        "Compute the least relative L2 error that any lens of a scene can reach, as the size of "
+        "its source blurs the image, and how much of the light can be used. Nothing is designed.",
         ["bound sun.json", "bound flame.freeform --json"],
         _run_bound,
     )

@@ -118,9 +118,9 @@ def add_manufacture(commands: Any) -> None:
     parser = add_verb(
         commands,
         "manufacture",
-        "Tell what a shop asks of the lens of a session: thickness, slope, radii of curvature, the "
-        "ball cutter that fits, sag and draft. Lengths are in the scene's unit. Ends with status 1 "
-        "if a limit is not met.",
+        "Print what a shop asks of the lens of a session: thickness, slope, radii of curvature, "
+        "the ball cutter that fits, sag and draft. Lengths are in the scene's unit. Ends with "
+        "status 1 if a limit is not met.",
         [
             "manufacture flame.freeform",
             "manufacture flame.freeform --min-radius 0.05 --max-slope 25 --plot maps.png",

@@ -1,7 +1,7 @@
 """The best this program knows: transport of light first, then quasi-Newton on the exact image.
 
-- A first lens comes from optimal transport (`workbench.design.transport`): all light on its way to
-  the right part of the screen before the first iteration.
+- A first design comes from optimal transport (`workbench.design.transport`): all light on its way
+  to the right part of the screen before the first iteration.
 - L-BFGS follows, on the image of beams (`workbench.optics.images.beams`): without noise and
   without a filter, so that what it lowers is the true error. Changes of the net are cosine waves,
   the long ones made easy; near a source, long ones may come first (`workbench.design.descent`).
@@ -46,7 +46,7 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     """Evaluate lens after lens; see `workbench.design.run.run`.
 
     Returns why it ended of its own accord. Raises `RunFailed` if no light comes near the screen
-    even from the first lens by transport, or the loss or its gradient is not finite.
+    even from the first design by transport, or the loss or its gradient is not finite.
     """
     scene, target, locked = bounds.scene, bounds.target, bounds.locked
     device = device_of(scene)
@@ -60,7 +60,7 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
         step = smoothness.judged(step, smoothness.penalty(heights))
     yield step
     free = bounds.height_range(device)
-    # Nothing tells a lens to go on from where its light should go if none is on the screen.
+    # Without light on the screen there is no gradient.
     goes_on = bounds.start is not None and step.state.account.on_screen > 0
     if goes_on or bounds.first is None:
         parameters = free.parameters(before)
@@ -104,10 +104,10 @@ def auto_judged(scene: Scene, target: Array, heights: Mapping[str, Array]) -> St
 def _joined(
     first: Mapping[str, Array], before: Mapping[str, Array], locked: Mapping[str, Mask]
 ) -> dict[str, Array]:
-    """A first lens, moved along z until it meets locked control points that stay as before.
+    """A first design, moved along z until it meets locked control points that stay as before.
 
     Light hardly minds how far a face is from the screen, but it is lost at a step in the face. A
-    face that is locked as a whole is in the first lens as it is.
+    face that is locked as a whole is in the first design as it is.
     """
     joined = dict(first)
     for face, mask in locked.items():
@@ -176,9 +176,9 @@ def _even(values: Array | Mask, axis: int) -> bool:
 def with_gain(both: Steps, bounds: Bounds, steps: Callable[[Bounds], Steps]) -> Steps:
     """Pass on the steps of two faces, and say at the end how the exit face alone would do.
 
-    `both`: steps from the first lens of two faces on; `bounds`: theirs; `steps`: makes steps within
-    bounds: that of the undesigned lens, then those from the first lens on. Returns why ``both``
-    ended, and the errors of both after as many iterations.
+    `both`: steps from the first design of two faces on; `bounds`: theirs; `steps`: makes steps
+    within bounds: that of the undesigned lens, then those from the first design on. Returns why
+    ``both`` ended, and the errors of both after as many iterations.
     """
     losses: list[float] = []
     while True:

@@ -118,21 +118,21 @@ _FULL = 0.85
 # extent. A lens for a lamp far off the axis needs 3.4 cm: with 3.1 cm it is 34 % off, with 3.45 cm
 # 20 %, with 4.8 cm 28 %, and thicker glass loses light.
 _MARGIN = 0.02
-# What the first lens may lack, as a part of its extent along z, without being any worse.
+# What the first design may lack, as a part of its extent along z, without being any worse.
 _TOLERABLE = 0.02
 
 
 class Bounds:
     """Where the control heights of a run may be, by what its lens allows and its task needs.
 
-    The first lens that transport finds tells the need. That takes a second, and is done when it is
+    The first design by transport shows the need. That takes a second, and is done when it is
     asked for.
 
     `scene`: the design task, without stages; `target` (n_y, n_x): the wanted image in any scale,
     row 0 at +y; `start` (n_u, n_v): control heights of each freeform face to go on from; an
     automatic range holds them; `locked` (n_u, n_v): control points that keep the heights that they
     begin with. `limits`: what the lens allows at each freeform face; an automatic thickness is
-    settled when the first lens is found.
+    settled when the first design is found.
     """
 
     def __init__(
@@ -155,7 +155,7 @@ class Bounds:
 
     @property
     def first(self) -> Mapping[str, Array] | None:
-        """Control heights of the first lens, beyond the limits where these are too narrow."""
+        """Control heights of the first design, beyond the limits where these are too narrow."""
         if self._found is None:
             fixed = {face: self.begin[face] for face, mask in self.locked.items() if mask.all()}
             found = first_design(self.scene, self.target, fixed)
@@ -168,17 +168,17 @@ class Bounds:
         return None if found is None else found.heights
 
     def _thickened(self, found: First | None) -> bool:
-        """Make an automatic thickness as large as a first lens needs; whether that is more."""
+        """Make an automatic thickness as large as a first design needs; whether that is more."""
         if found is None:
             return False
         lacks = self.limits[self._face].lacks(found.heights[self._face])
-        thickest, extent = self._lens.ceiling, self._lens.ceiling - self._lens.floor
+        thickest, extent = self._lens.z_max, self._lens.z_max - self._lens.z_min
         return lacks > 0 and self._raised(thickest + lacks + _MARGIN * (extent + lacks))
 
     def _raised(self, ceiling: float) -> bool:
         """Raise the ceiling of an automatic thickness, as far as the receiver allows."""
-        lens, most = self._lens, bounded(self.scene, CLOSEST).ceiling
-        if self.scene.optic.held_by != "screen" or min(ceiling, most) <= lens.ceiling:
+        lens, most = self._lens, bounded(self.scene, CLOSEST).z_max
+        if self.scene.optic.held_by != "screen" or min(ceiling, most) <= lens.z_max:
             return False
         thickness = min(ceiling, most) - lens.front_z
         self._lens = lens.model_copy(update={"max_thickness": thickness})
@@ -197,12 +197,12 @@ class Bounds:
     def alone(self) -> "Bounds":
         """Bounds of the exit face alone behind a flat entrance face.
 
-        A first lens of both faces was compared with one of it, which is not looked for again.
+        A first design of both faces was compared with one of it, which is not looked for again.
         """
         bounds = Bounds(behind_flat_entrance(self.scene), self.target)
         found = None if self._found is None else self._found[0]
         if found is not None and found.alone is not None:
-            bounds._raised(self._lens.ceiling)
+            bounds._raised(self._lens.z_max)
             bounds._found = (First({self._face: found.alone}),)
         return bounds
 
@@ -247,7 +247,7 @@ class Bounds:
         return self._at_shaped_face(lens[self._face]) or self._at_entrance(lens)
 
     def _at_entrance(self, lens: Mapping[str, Array]) -> Shortfall | None:
-        """What a freeform entrance face lacks: a first lens flattens it to fit its own range.
+        """What a freeform entrance face lacks: a first design flattens it to fit its own range.
 
         An automatic range counts as well: what thickness and source leave may be too little.
         """
@@ -286,7 +286,7 @@ class Bounds:
         beyond = lacks > tolerable or self._lens.height_range is None
         held_by = self.scene.optic.held_by
         if beyond and held_by != "height_range":
-            thickest = optic.ceiling - optic.front_z
+            thickest = optic.z_max - optic.front_z
             needed, allowed = (
                 (optic.least_thickness, thickness) for thickness in (thickest + lacks, thickest)
             )
@@ -300,14 +300,14 @@ class Bounds:
     def _held(self, low: Mask, high: Mask, share: float) -> Shortfall:
         optic, limits = self._ranged, self._ranged_limits
         assert optic.height_range is not None
-        thin, thick = low & (limits.lower == optic.floor), high & (limits.upper == optic.ceiling)
+        thin, thick = low & (limits.lower == optic.z_min), high & (limits.upper == optic.z_max)
         held: dict[Cause, int] = {
             self.scene.optic.held_by: int(thick.sum()),
             "min_thickness": int(thin.sum()),
             "height_range": int(((low & ~thin) | (high & ~thick)).sum()),
         }
         cause = max(held, key=lambda each: held[each])
-        thickness = optic.least_thickness, optic.ceiling - optic.front_z
+        thickness = optic.least_thickness, optic.z_max - optic.front_z
         allowed = optic.height_range if cause == "height_range" else thickness
         return Shortfall(cause, None, allowed, share)
 

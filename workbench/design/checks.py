@@ -43,8 +43,8 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Message | None:
     are their own mirror images.
     """
     for part, light, _ in scene.wanted(target):
-        unsaid = part.target.viewed_from is None and pixel_side(part) == "back"
-        if unsaid and np.abs(light - light[:, ::-1]).sum() > _SYMMETRIC * light.sum():
+        unstated = part.target.viewed_from is None and pixel_side(part) == "back"
+        if unstated and np.abs(light - light[:, ::-1]).sum() > _SYMMETRIC * light.sum():
             return Message(
                 "the picture is mirror-inverted for viewers on the side of the light, and reads "
                 'right from behind the {receiver}; target.viewed_from "front" turns it around',
@@ -63,14 +63,14 @@ _HIGH, _FINER = 0.05, 2.0
 class CoarseNet:
     """A net that keeps a lens from its target."""
 
-    error: float  # relative L2 error that is left
+    error: float  # relative L2 error that remains
     # Control points of the lens, and as many as the program would choose.
     shape: tuple[int, int]
     finer: tuple[int, int]
 
     @property
     def sentence(self) -> Message:
-        """What is left and why, and what helps."""
+        """The error that remains, why, and what helps."""
         return Message(
             "The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the "
             "detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.",

@@ -36,7 +36,7 @@ _MAX_TRIALS = 12
 _MAX_STEP = 0.3
 # Steps that together have to gain something: five with so many beams, more where each costs less.
 _STEPS, _BEAMS, _MOST_STEPS = 5, 768**2, 8
-# The image cannot tell smaller errors from its own.
+# Smaller errors are below the error of the image itself.
 _SMALLEST = 1e-3
 
 
@@ -50,7 +50,7 @@ class Descent(NamedTuple):
     gain: float
     points: float
     longest: float = 1.0  # part of the waves along each axis, the longest ones, that change
-    # It is left to the next one where the error is less than this from the beginning.
+    # The next descent takes over where the error is less than this from the beginning.
     above: float = 0.0
 
 

@@ -22,7 +22,7 @@ from workbench.optics.samples import Corners
 from workbench.scene import Scene, WantedImage
 
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
-# the first lens falls, within these.
+# the first design falls, within these.
 MARGINS = 0.05, 1.0
 # Time of a cell drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
 # trace, image and gradients, with one freeform face and with two, of which the trace takes most.

@@ -40,12 +40,12 @@ _NEARLY_ALL, _BEYOND = 0.999, 1.25
 # that spread the light; 0.9 in the focus of a bowl, whose image is 0.7 % off with one blur for all
 # of it and 1.7 % with polynomials.
 _LEFT = 0.5
-# Rays that tell the directions of light at a receiver.
+# Rays that sample the directions of light at a receiver.
 _RAYS = 48, 48
-# Fewer rays do not tell. Those that come to the plane farther out, in half-widths of the screen,
+# Fewer rays are not enough. Those that come to the plane farther out, in half-widths of the screen,
 # are left out; beyond nearly all of the others, directions are as at that border.
 _FEWEST, _NEAR_SCREEN, _NEARLY_ALL_RAYS = 100, 2.0, (0.002, 0.998)
-# Cells of each of many origins, and of the middle of the source, that tell how it is blurred and
+# Cells of each of many origins, and of the middle of the source, that show how it is blurred and
 # whether that is the same all over a lens: as many, for light is spread over them too. And the
 # greatest part of the image by which it may differ.
 _MANY_CELLS, _MANY_ORIGINS, _EVEN = (192, 192), 96, 0.03
@@ -66,7 +66,7 @@ class BlurChange:
         """The change that a lens makes, from where light of the middle and rim of a source lands.
 
         `scene`: the design task, with a source of some size; `heights` (n_u, n_v): control heights
-        of the lens. Returns None if that does not tell it: where no light lands, or light from
+        of the lens. Returns None if that does not determine it: where no light lands, or light from
         several parts of the lens lands at the same places.
         """
         known = scene.model_copy(update={"source": of_known_size(scene.source, scene.optic)})

@@ -131,6 +131,6 @@ class Step(NamedTuple):
     # The lens, with the net of its stage, and its light; losses can be compared over the run.
     state: LensState
     notes: tuple[str, ...] = ()  # what was chosen for this lens's trace, and what was left out
-    # What tells the best lens, where that is not the loss alone; infinite where no light is on the
-    # screen.
+    # What the best lens has least of, where that is not the loss alone; infinite without light on
+    # the screen.
     merit: float | None = None

@@ -53,7 +53,7 @@ class Level(Density):
 # A lens of 65 control points, seen by 50 cells, was 5.4 % off where the run saw 0.4 %.
 _SEEN = 1.5
 COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, seen=_SEEN, thinning=0.5)
-"""Tells which of two first lenses is the better one."""
+"""Whether one first design is better than another."""
 
 FINE = Level(per_pixel=3.0, per_control_point=1.9, enough=3.6, seen=_SEEN, thinning=0.25)
 """All lenses of a run are judged by it, so that their losses can be compared.
@@ -88,7 +88,7 @@ _UNSEEN = 0.2
 _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 96, 128
 # Cells of all origins together, at most.
 _MOST_BEAMS = 1 << 22
-# Cells that tell how far the light of a lens reaches.
+# Cells that show how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
 # Two faces close to a source are asked for so much more light than the first design sends: 67.1 %
 # of an LED 10 mm before a lens of 120 mm arrive with an error of 4.3 %, not 61.9 % with 3.3 %.
@@ -104,7 +104,7 @@ _SAMPLES = Density(per_pixel=1.0, per_control_point=4.5, enough=3.6, seen=1.9)
 # Cells of the source along an axis for each radian that it is wide from the lens, by which its
 # image bends; and the most. With 6 of them, that LED's lens was 4.1 % off where the run saw 3.6 %.
 _PER_RADIAN, _MOST_OF_SOURCE = 14.0, 14
-# Cells of the source that tell how far apart samples are, and the part of the light that may be too
+# Cells of the source that show how far apart samples are, and the part of the light that may be too
 # far. It is 0 to 0.10 of a torch and of an LED close by, and 0.35 to 0.47 where rims see the LED at
 # a slant. At 0.10 beams between origins see 2.9 and those between samples 7.6 % of an error of
 # 3.2 %; at 0.40 they see 9.9 and 6.2 % of 6.2 %.

@@ -194,7 +194,7 @@ _CURES: dict[Cause, Message] = {
     "max_thickness": Message(
         "thicker stock, or a smaller minimal thickness, lets the lens bend more"
     ),
-    "min_thickness": Message("a higher base or a smaller minimal thickness gives it room"),
+    "min_thickness": Message("raise the base, or lower the minimal thickness"),
     "screen": Message("move the screen away from the lens"),
     "entrance_range": Message("widen the entrance range"),
 }
@@ -273,7 +273,7 @@ class Shortfall:
             )
         elif self.cause == "screen":
             allowed = Message(
-                "the screen leaves room for {thickest:.3g} {unit}", thickest=thickest, unit=unit
+                "the screen allows {thickest:.3g} {unit}", thickest=thickest, unit=unit
             )
         else:
             allowed = Message(

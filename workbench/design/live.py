@@ -4,7 +4,7 @@ Most edits are small, and the lens that is there is not far from the one that is
 
 - where the target is as before, a face is fitted that sends light where the former one sent it, and
   is the first that is shown;
-- where that is not possible or not good, one trace tells the error of the lens that is there in the
+- where that is not possible or not good, one trace finds the error of the lens that is there in the
   new light. If that is less than by transport, the run goes on from it: its first step is there
   several times sooner than transport;
 - otherwise the light is sent anew by transport. From there the error is lower after the same time
@@ -226,5 +226,5 @@ def asks_for_another_lens(before: Session, after: Session) -> bool:
 
 
 def _wanted(scene: Scene) -> tuple[object, ...]:
-    """What tells which lens is the best one."""
+    """What the best lens has least of."""
     return asked_of_the_lens(scene), scene.run.bends

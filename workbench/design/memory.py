@@ -27,7 +27,7 @@ from workbench.scene import Scene
 # Compiled kernels, and libraries that a run is the first to need.
 _PROGRAM = 120e6
 _REAL = 8  # bytes of a float64
-# Arrays of all cells of a first lens that are there at the same time, as measured: below 32 MB,
+# Arrays of all cells of a first design that are there at the same time, as measured: below 32 MB,
 # where they are cut out of one heap and leave pieces there, and from 32 MB on, where they are not.
 # Of light from far away, of that of a near source, and with two faces.
 _MAPPED = 32 << 20
@@ -98,7 +98,7 @@ def check_auto(scene: Scene) -> None:
 
 
 def _of_start(scene: Scene) -> float:
-    """Bytes of a first lens by transport."""
+    """Bytes of a first design by transport."""
     nets, far = freeform_nets(scene.optic), scene.source.place is None
     both = len(nets) > 1
     cells = cells_of_faces(nets) if both else cells_for(nets[scene.optic.designed_face])
@@ -117,7 +117,7 @@ def _of_descent(scene: Scene) -> float:
 def _of_image(scene: Scene) -> float:
     """Bytes of one evaluation of a lens in an image, with its gradient."""
     blur = Blur.of(scene)
-    # Only a trace tells whether all parts of the lens blur the source alike.
+    # Only a trace shows whether all parts of the lens blur the source alike.
     even = not blur.within_a_pixel and one_over_the_lens(scene)
     by_origins = _of_nodes(scene, cells_of(FINE, scene))
     if even:

@@ -52,7 +52,7 @@ _COPIES = 4
 
 
 def definite(scene: Scene, target: Array) -> Scene:
-    """The scene with a net that is chosen, if that is left to the program and has yet to be done.
+    """The scene with a net that is chosen, if the program is to choose it and has not yet.
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y. Returns the same object where
     there is nothing to choose.

@@ -87,7 +87,7 @@ def run(
     heights of each freeform face to go on from, by its name; by default the run begins with the
     undesigned lens; `locked` (n_u, n_v): control points of each face that keep the heights that
     they begin with, exactly; none by default. A run whose control points are all locked ends with
-    its first lens. Yields first the lens before any step, then one after each iteration; at last,
+    its first design. Yields first the lens before any step, then one after each iteration; at last,
     unless the run has seen it so, the best lens once more, in the light of beams that it was not
     fitted to. Returns why there are no more, as `History.follow` keeps it. Raises `Refused` if the
     scene or one of its stages cannot be run here; before any of them is; `RunFailed` if the run
@@ -113,15 +113,15 @@ def run(
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(scenes) - 1
     check_stages(scenes, first, start, locked)
-    said = _scene_notes(scene, target)
+    scene_notes = _scene_notes(scene, target)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, stage_scene in enumerate(scenes[first:], first):
-        # The first lens of a later stage counts as an iteration: its loss is one of another task.
+        # The first design of a later stage counts as an iteration: its loss is one of another task.
         most = 1 if done else stage_scene.run.iterations + (stage == first)
         bounds = Bounds(stage_scene, target, start, locked)
         method = method_of(stage_scene)
-        steps, notes = method.steps(bounds), (*said, *method.notes(stage_scene))
+        steps, notes = method.steps(bounds), (*scene_notes, *method.notes(stage_scene))
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -252,7 +252,7 @@ def _judged(
 def _stopped(
     iteration: int, error: RunFailed | torch.OutOfMemoryError, bounds: Bounds, scene: Scene
 ) -> RunFailed:
-    """What ends a run, with what the first lens cannot meet where that is why."""
+    """What ends a run, with what the first design cannot meet where that is why."""
     why = error.args[0] if isinstance(error, RunFailed) else _FULL_CARD
     short = bounds.shortfall(bounds.begin)
     if short is not None:

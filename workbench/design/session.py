@@ -66,7 +66,7 @@ def verified_error(found: Checked, written: Callable[[float], str] = _percent) -
         Writes a part of one.
     """
     low, high = found.relative_l2_corrected_interval
-    if low == 0:  # so few rays cannot tell it from none
+    if low == 0:  # with so few rays it may be none
         return f"< {written(high)}"
     return written(found.relative_l2_corrected)
 
@@ -86,7 +86,7 @@ class KeptRun:
     result : Result
         The lens that it found.
     verified : VerifiedError, optional
-        What a check said of that lens.
+        The figures of a check of that lens.
 
     Raises
     ------
@@ -103,7 +103,7 @@ class KeptRun:
     def of_image(self, number: int) -> Self:
         """The run as if one of its images were the only one; 0 is the first.
 
-        Where it has fewer, it is the last one. What a check said is of the first.
+        Where it has fewer, it is the last one. The figures of a check are those of the first.
         """
         number = min(number, len(self.scene.images) - 1)
         alone = Session(self.scene, self.target, self.result).of_image(number)
@@ -383,8 +383,8 @@ def _limits(scene: Scene) -> tuple[object, ...]:
         (
             lens.height_range and (lens.height_range, lens.base),
             lens.entrance_range,
-            lens.floor,
-            lens.ceiling,
+            lens.z_min,
+            lens.z_max,
         )
         for lens in map(bounded, scene.focused)
     )

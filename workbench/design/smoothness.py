@@ -76,14 +76,14 @@ class Smoothness:
         return penalty
 
     def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
-        """Loss and penalty as one number, in the measure of the loss: what tells the best lens.
+        """Loss and penalty as one number, in the measure of the loss: the best lens has the least.
 
         `loss`: Paper's loss of the image; `penalty`: of the same lens.
         """
         return (loss.double().square() + self._loss_of_1**2 * penalty).sqrt()
 
     def judged(self, step: Step, penalty: Tensor) -> Step:
-        """A step that tells its merit."""
+        """A step with its merit."""
         if step.merit is not None:
             return step  # no light is on the screen
         merit = self.merit(torch.tensor(step.state.loss), penalty.detach())

@@ -57,7 +57,7 @@ class Snapshot:
     seconds : float
         Run time up to here.
     merit : float
-        What tells the best lens of a stage, less being better: its loss, and what else the scene
+        What the best lens of a stage has least of: its loss, and what else the scene
         asks of it.
     best : bool
         Whether this is the best lens of its stage so far.
@@ -230,8 +230,8 @@ class History:
 
 
 _SPAN = 4.0  # seconds of run time that count as recent
-# Steps that tell a pace. The first lens and the first step, in which kernels are compiled, are none
-# of them, and one slow step among others does not count: of a run of 33 s the time left was first
+# Steps that show a pace. The first design and the first step, in which kernels are compiled, do not
+# count, and one slow step among others does not count: of a run of 33 s the time left was first
 # given as 75 minutes.
 _STEPS = 3
 

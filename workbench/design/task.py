@@ -188,7 +188,7 @@ def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name
         return Message("designed for this task")
     if found:
         differ = _differences(found[-1], session)
-        some = {f"field_{number}": said for number, said in enumerate(differ[:_MOST])}
+        some = {f"field_{number}": words for number, words in enumerate(differ[:_MOST])}
         more = ", …" if len(differ) > _MOST else ""
         return Message(
             "designed for another task ({run}): {differences}",

@@ -1,7 +1,7 @@
 """What becomes of light in parts of pixels: kernels, their change over an image, convolutions.
 
 A source is a set of points or directions (`workbench.optics.sources`). Where all places of a lens
-make the same of it, light of its middle alone is traced, and `ImageBlur` is what is left of its
+make the same of it, light of its middle alone is traced, and `ImageBlur` is what remains of its
 size. A diffuser is an `ImageBlur` too.
 """
 

@@ -112,7 +112,7 @@ class Bound:
 
     @property
     def _single(self) -> bool:
-        """Whether one blur over the whole lens tells the bound, also where it is 0."""
+        """Whether one blur over the whole lens gives the bound, also where it is 0."""
         return self.one_blur and not self._measured and not self.scene.is_train
 
     @property

@@ -3,7 +3,7 @@
 A Lambertian diffuser does not mind the directions of rays: the receiver of undeflected ones is the
 diffuser itself, and on a plane parallel to it at the distance d, all have the same kernel,
 d² / π (d² + r²)². That is exact. About a ray, the kernel depends on its direction: kernels of some
-places are computed for the mean direction there, and between them polynomials tell how they change.
+places are computed for the mean direction there, and polynomials describe the changes between them.
 Where rays from several parts of a lens land at one place, all have the kernel of the mean.
 """
 
@@ -18,8 +18,8 @@ from workbench.extended.scatter_kernels import ScatteredRays, across, directions
 from workbench.messages import Message
 from workbench.scene import Scene, Screen
 
-# The degree of polynomials that tell how kernels change; they are computed for as many places along
-# each axis and one more, as far from the middle of the receiver as this in its half-extents.
+# The degree of polynomials that describe changes of kernels; they are computed for as many places
+# along each axis and one more, as far from the middle of the receiver as this in its half-extents.
 _DEGREE, _OUTER = 4, 1.2
 # Changes of the kernel that are smaller than this part of it are left out, and most of the others:
 # kernels of 6° along rays of up to 37° are off by 3 % then, and smooth images by less than 1 %.

@@ -149,7 +149,7 @@ class BeamShaper(LensJob):
 
 
 class WallWasher(LensJob):
-    """A lamp at the ceiling, or on the floor, lights a wall evenly from the side."""
+    """A lamp above or below a wall lights it evenly from the side."""
 
     model_config = ConfigDict(title="Wall washer")
     asked_by: ClassVar[dict[str, str]] = {

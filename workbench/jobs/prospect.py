@@ -177,12 +177,14 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
-    said = grazed(scene)
-    if said is None:
+    warning = grazed(scene)
+    if warning is None:
         return ()
     slant = Message("up to {slant:.0f}°", slant=scene.receiver.slant(scene.optic))
     return (
-        Figure(Message("Light on the screen"), slant, Message("{sentence}.", sentence=said), True),
+        Figure(
+            Message("Light on the screen"), slant, Message("{sentence}.", sentence=warning), True
+        ),
     )
 
 

@@ -15,8 +15,8 @@ from workbench.scene.losses import Loss, key_of, kind_and_element
 _AT_RECEIVERS: Mapping[str, Loss] = {
     "off_screen": Loss(
         "Missed the {receiver}",
-        "Light that passes the optic and the {receiver} by. One that sends much light here "
-        "wastes it, or has more than its surface can bend.",
+        "Light that leaves the last element and misses the {receiver}. Much of it means that the "
+        "designed faces cannot deflect all light to the image.",
         "passes beside it",
         "a larger {receiver} catches it",
         always=True,

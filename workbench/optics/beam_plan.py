@@ -50,7 +50,7 @@ class BeamPlan:
     ) -> None:
         corners = Corners(*cells)
         self._lines = traced_lines(scene, net, dtype, fused, corners, mirrored)
-        # It tells what all lines have nearly alike.
+        # Its notes hold nearly for all spectral lines.
         self._strongest = max(self._lines, key=lambda line: line.part)
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent

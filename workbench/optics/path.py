@@ -168,7 +168,7 @@ class Path:
     def follow(
         self, rays: RayBundle, heights: Mapping[str, Tensor]
     ) -> tuple[list[Vector], Arrival]:
-        """Follow other rays all the way, and tell where they meet each face.
+        """Trace other rays to the receiver, and return where they meet each face.
 
         `rays`: rays before the first face in the path's float type, as the source gives them;
         `heights`: see `walk`. Returns places of the scene where they begin and on each face; of

@@ -50,7 +50,7 @@ def normals(surface: Array) -> Array:
     across = np.cross(along_u, along_v)
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
     for i, j in ((0, 0), (0, -1), (-1, 0), (-1, -1)):
-        # Where the rim goes straight on, both ways are along it: the next point inside tells.
+        # Where the rim goes straight on, both ways are along it: the next point inside decides.
         if along_u[i, j] @ along_v[i, j] < _STRAIGHT * np.sqrt(
             np.square(along_u[i, j]).sum() * np.square(along_v[i, j]).sum()
         ):

@@ -62,5 +62,5 @@ def check_ending(file: Path) -> None:
     if file.suffix.lower() not in (*HTML, *PDF):
         known = ", ".join((*HTML, *PDF))
         raise Refused(
-            str(file), Message("has no ending that tells a format; one of {endings}", endings=known)
+            str(file), Message("has no known ending; use one of {endings}", endings=known)
         )

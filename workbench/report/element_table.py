@@ -38,12 +38,12 @@ def _material(element: Element, words: str) -> str:
 
 
 def _face(face: Face, scene: Scene) -> str:
-    told = [field for field in face.fields() if field.name != "shape"]
+    shown = [field for field in face.fields() if field.name != "shape"]
     if face.designed:
-        told = [field for field in told if field.name == "control_points"]
+        shown = [field for field in shown if field.name == "control_points"]
     shape = [
         f"{field.title.lower()} {field_words(face, field, scene)}"
-        for field in told
+        for field in shown
         if getattr(face, field.name) not in ((), 0.0)
     ]
     title = title_of(type(face))

@@ -243,12 +243,12 @@ class Element(Standing, Part):
     @property
     def lowest(self) -> float:
         """The z that no point of it can be below: sources stand before that."""
-        return self.floor
+        return self.z_min
 
     @property
     def highest(self) -> float:
         """The z that no point of its face can be above, as far as it is known before a run."""
-        return self.ceiling
+        return self.z_max
 
     @property
     def edge_z(self) -> float:
@@ -257,12 +257,12 @@ class Element(Standing, Part):
 
     @property
     @abstractmethod
-    def floor(self) -> float:
+    def z_min(self) -> float:
         """The z that its face is kept above whatever the height range is."""
 
     @property
     @abstractmethod
-    def ceiling(self) -> float:
+    def z_max(self) -> float:
         """The z that its face is kept below whatever the height range is; infinite without one."""
 
     @property
@@ -357,7 +357,7 @@ class Element(Standing, Part):
         """Lowest and highest z, the latter perhaps infinite, of control points at (x, y)."""
         low, high = self.height_range or (-math.inf, math.inf)
         base = self.base.height_at(x, y)
-        return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
+        return np.maximum(base + low, self.z_min), np.minimum(base + high, self.z_max)
 
     @classmethod
     def all_losses(cls) -> dict[str, Loss]:

@@ -75,7 +75,7 @@ _RISE = 0.25
 # light come to the screen.
 _NEAR_RISE = 0.5
 # A designed exit face seldom rises farther above its base than so many half-widths of the lens.
-# Stock that reaches far to the screen does not tell where the exit face will be: a first lens in
+# Stock that reaches far to the screen does not state where the exit face will be: a first design in
 # stock of 500 mm was 34 % off, and is 17 % off.
 _RISES = 1.0
 # A receiver that is infinitely far counts as so many half-widths of the lens away.
@@ -228,18 +228,18 @@ class Lens(Element):
         if not self.designed:
             limits.check_absorption(self.absorption, self.thickness)
             return
-        if self.floor >= self.ceiling:
+        if self.z_min >= self.z_max:
             raise Refused(
                 "max_thickness",
                 Message(
-                    "{height:g} leaves no room above the minimal thickness; more than {least:g}",
+                    "{height:g} is below the minimal thickness; use more than {least:g}",
                     height=self.max_thickness,
                     least=self.min_thickness,
                 ),
             )
         if self.height_range is not None:
             self._check_range(*self.height_range)
-        undesigned = max(self.base.extent(self.half_width)[0], self.floor) - self.entrance_z
+        undesigned = max(self.base.extent(self.half_width)[0], self.z_min) - self.entrance_z
         limits.check_absorption(self.absorption, undesigned)
 
     def remarks(self) -> Mapping[str, str]:
@@ -250,22 +250,22 @@ class Lens(Element):
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""
         lowest, highest = self.base.extent(self.half_width)
-        if lowest + high <= self.floor:
+        if lowest + high <= self.z_min:
             raise Refused(
                 "faces[1].height_range[1]",
                 Message(
-                    "{height:g} leaves no room above the minimal thickness; more than {least:g}",
+                    "{height:g} is below the minimal thickness; use more than {least:g}",
                     height=high,
-                    least=self.floor - lowest,
+                    least=self.z_min - lowest,
                 ),
             )
-        if highest + low >= self.ceiling:
+        if highest + low >= self.z_max:
             raise Refused(
                 "faces[1].height_range[0]",
                 Message(
-                    "{height:g} leaves no room below the maximal thickness; less than {most:g}",
+                    "{height:g} is above the maximal thickness; use less than {most:g}",
                     height=low,
-                    most=self.ceiling - highest,
+                    most=self.z_max - highest,
                 ),
             )
 
@@ -277,7 +277,7 @@ class Lens(Element):
     @property
     def entrance_offsets(self) -> tuple[float, float]:
         """How far the entrance face can come from its place, down and up."""
-        return self.entrance.offsets(self._room_at_entrance, self.half_width)
+        return self.entrance.offsets(self._entrance_rise, self.half_width)
 
     @property
     def datum(self) -> float:
@@ -285,7 +285,7 @@ class Lens(Element):
         return self.entrance_z
 
     @property
-    def _room_at_entrance(self) -> float:
+    def _entrance_rise(self) -> float:
         """How far a freeform entrance face may rise where nobody says so.
 
         Half of what both faces share at most, so that the exit face has as much: the glass between
@@ -303,7 +303,7 @@ class Lens(Element):
     def leaving_z(self) -> float:
         """The highest that the exit face can become, as far as a design may come to it."""
         top = self.base.extent(self.half_width)[1]
-        rises = max(top, self.floor) + _RISES * max(self.half_width)
+        rises = max(top, self.z_min) + _RISES * max(self.half_width)
         return min(self.highest, rises) if self.designed else top
 
     @property
@@ -312,12 +312,12 @@ class Lens(Element):
         return self.front_z
 
     @property
-    def floor(self) -> float:
+    def z_min(self) -> float:
         """The z that the minimal thickness keeps the exit face above."""
         return self.entrance_range[1] + self.min_thickness
 
     @property
-    def ceiling(self) -> float:
+    def z_max(self) -> float:
         """The z that the maximal thickness keeps the exit face below; infinite without one."""
         return math.inf if self.max_thickness is None else self.front_z + self.max_thickness
 
@@ -331,8 +331,8 @@ class Lens(Element):
         if not self.designed:
             return top
         if self.height_range is not None:
-            return min(top + self.height_range[1], self.ceiling)
-        return max(top, self.floor) if self.max_thickness is None else self.ceiling
+            return min(top + self.height_range[1], self.z_max)
+        return max(top, self.z_min) if self.max_thickness is None else self.z_max
 
     @property
     def deflection(self) -> float:
@@ -352,7 +352,7 @@ class Lens(Element):
         An automatic entrance face rises by no more than a part of the way from the source, and for
         one image by no more than a part of the lens's half-width.
         """
-        rise = min(self._room_at_entrance, _NEAR_RISE * (self.entrance_z - source_z))
+        rise = min(self._entrance_rise, _NEAR_RISE * (self.entrance_z - source_z))
         if not several:
             rise = min(rise, _RISE * max(self.half_width))
         entrance = self.entrance.within(self.entrance.offsets(rise, self.half_width))
@@ -366,7 +366,7 @@ class Lens(Element):
         return lens.model_copy(update={"max_thickness": thickness})
 
     def ranged(self, low: float, high: float) -> Self:
-        """See `Element.ranged`: the entrance face keeps the room that it has now."""
+        """See `Element.ranged`: the entrance face keeps its present range."""
         entrance = self.entrance.within(self.entrance_offsets)
         return super().ranged(low, high).with_front(entrance)
 

@@ -51,7 +51,7 @@ class TakesLight:
     """Mark of a field that takes light unless it has its default."""
 
     name: str  # of what it takes, in the light account
-    loss: Loss  # what is said of it
+    loss: Loss  # its texts
 
 
 def key_of(kind: str, element: str = "") -> str:

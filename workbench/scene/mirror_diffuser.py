@@ -99,13 +99,13 @@ class Mirror(Element):
         return PlaneFace()
 
     @property
-    def floor(self) -> float:
+    def z_min(self) -> float:
         """The lowest place of the base and of the height range."""
         low, _ = self._range
         return self.base.extent(self.half_width)[0] + low
 
     @property
-    def ceiling(self) -> float:
+    def z_max(self) -> float:
         """The highest place of the base and of the height range."""
         _, high = self._range
         return self.base.extent(self.half_width)[1] + high
@@ -250,12 +250,12 @@ class Diffuser(Element):
         return self.position[2]
 
     @property
-    def floor(self) -> float:
+    def z_min(self) -> float:
         """Its plane."""
         return self.position[2]
 
     @property
-    def ceiling(self) -> float:
+    def z_max(self) -> float:
         """Its plane."""
         return self.position[2]
 

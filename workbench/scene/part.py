@@ -158,7 +158,7 @@ Row = TypeVar("Row")
 
 @dataclass(frozen=True)
 class Kinds:
-    """Mark of a union of parts: a field of theirs tells which kind one is of.
+    """Mark of a union of parts: one of their fields states the kind.
 
     The union is the one list of the kinds: files, forms and refusals follow it.
     """

@@ -171,7 +171,7 @@ class RunSettings(Part):
         about(
             "Ball cutter radius",
             "Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows "
-            "keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any "
+            "keep to it; humps may be sharper. Manufacture shows whether it fits. Left empty, any "
             "will do.",
         ),
     ] = None
@@ -203,7 +203,7 @@ class RunSettings(Part):
 
     @property
     def usual_net(self) -> int | None:
-        """Control points along each axis that suit the method; None where the task tells."""
+        """Control points along each axis that suit the method; None where the task decides."""
         return None
 
 

@@ -35,7 +35,7 @@ Lines = tuple[tuple[Annotated[float, Field(gt=0)], Annotated[float, Field(ge=0)]
 class AnySource(Part):
     """What each kind of source says of itself, so that nobody has to ask for its kind.
 
-    Here it is said of light that comes from infinitely far: it has no place that could be seen.
+    By default that of light from infinity, which has no position to draw.
     """
 
     wavelength_um: Annotated[

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
-# Cells of light tell the shape of a beam that is this part of the lens wide, and of wider ones.
+# Cells of light resolve the shape of a beam that is this part of the lens wide, and of wider ones.
 _NARROWEST = 0.01
 _STRAIGHT = 1e-11  # degrees that are rounding
 
@@ -381,7 +381,7 @@ class RayFileSource(MeasuredSource):
 
     @property
     def continuous(self) -> bool:
-        """As its rays start anywhere; how large that place is, only the file tells."""
+        """As its rays start anywhere; only the file states how large that place is."""
         return not self._sharp
 
     @property

@@ -1,6 +1,6 @@
 """The train of a scene: its elements, its axis, and refusals of elements that make no train.
 
-The axis is straight from vertex to vertex, and folded at mirrors. It tells from which side light
+The axis is straight from vertex to vertex, and folded at mirrors. It states from which side light
 comes to elements and receivers.
 """
 

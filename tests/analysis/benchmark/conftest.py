@@ -18,14 +18,14 @@ def make_example(make_scene, tmp_path):
 
 @pytest.fixture
 def progress():
-    """Gathers what a benchmark tells of its progress."""
+    """Gathers what a benchmark reports of its progress."""
     lines = []
 
-    def tell(case, state):
+    def report(case, state):
         lines.append((case, state))
 
-    tell.lines = lines
-    return tell
+    report.lines = lines
+    return report
 
 
 @pytest.fixture

@@ -51,13 +51,13 @@ def test_both_see_the_same_light(monkeypatch):
         ("mirror", "point", "tilted", "ellipse"),
     ]
     monkeypatch.setattr(second_tracer, "cases", lambda: iter(few))
-    said = []
-    rows = list(comparisons(lambda case, state: said.append((case, state)), rays=60_000))
+    stated = []
+    rows = list(comparisons(lambda case, state: stated.append((case, state)), rays=60_000))
     assert [(row.optic, row.source, row.receiver, row.outline) for row in rows] == few
     for row in rows:
         assert row.deviations < 4 and row.difference < 1.3 * row.noise
         assert row.found.ours.efficiency > 0.01
-    assert said[-1] == (", ".join(few[-1]), "100%")
+    assert stated[-1] == (", ".join(few[-1]), "100%")
     assert "| mirror | point | tilted | ellipse | " in table(rows).to_markdown()
 
 

@@ -35,7 +35,7 @@ def test_rotational_slopes_are_fitted_by_least_squares():
     slope_x, slope_y = np.broadcast_arrays(-x[None, :], x[:, None])
     found = SlopeFit(net, 48).heights(slope_x, slope_y)
     _, made_x, made_y = net.grid(places, places).evaluate(found)
-    # The best face is not zero on a square, but it is perpendicular to what is left.
+    # The best face is not zero on a square, but it is perpendicular to the residual.
     left = ((slope_x - made_x) * made_x + (slope_y - made_y) * made_y).mean()
     assert left == pytest.approx(0.0, abs=1e-9)
     assert np.mean((slope_x - made_x) ** 2 + (slope_y - made_y) ** 2) > 0.05

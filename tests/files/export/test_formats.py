@@ -43,7 +43,7 @@ def test_every_ending_is_written(make_session, tmp_path, ending):
     "name", ["lens", "lens.png", "lens.csv", "lens.freeform", "step", ".height"]
 )
 def test_unknown_endings(name):
-    with pytest.raises(Refused, match=r"has no ending that tells a format; one of \.step, \.stp,"):
+    with pytest.raises(Refused, match=r"has no known ending; use one of \.step, \.stp,"):
         format_of(Path(name))
 
 

@@ -131,7 +131,7 @@ def test_impossible_values_are_refused_with_what_is_allowed(field, value, allowe
 
 @pytest.mark.parametrize("side", ["lens", "mould", "ellipse", "entrance", "mirror"])
 def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, rng, side):
-    """Read back and swept by other means: what is left is what the program states."""
+    """Read back and swept by other means: what remains is what the program states."""
     unit = "inch"
     changes = {"unit": unit, "version": 2}
     heights = 0.5 + 0.004 * rng.normal(size=(12, 10))

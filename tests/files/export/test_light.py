@@ -94,8 +94,8 @@ def test_other_programs_read_the_same_intensity(design, write):
         [np.sin(seen[1]) * np.cos(seen[0]), -np.sin(seen[1]) * np.sin(seen[0]), np.cos(seen[1])],
         axis=-1,
     )
-    said = np.array([theirs.get_intensity(g, c) for g, c in zip(gamma, around, strict=True)])
-    assert np.allclose(ours.at(direction), said.ravel(), rtol=1e-6, atol=1e-6)
+    stated = np.array([theirs.get_intensity(g, c) for g, c in zip(gamma, around, strict=True)])
+    assert np.allclose(ours.at(direction), stated.ravel(), rtol=1e-6, atol=1e-6)
     other = pyldt.LdtReader.read(ldt)
     assert np.allclose(other.intensities, ours.candela[:-1], rtol=1e-5, atol=1e-5)
     assert other.header.lamp_flux == [1000.0]

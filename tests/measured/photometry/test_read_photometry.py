@@ -54,8 +54,8 @@ def test_symmetric_ies_files_shine_as_another_reader_says(last: float, tmp_path:
 
     theirs = photompy.IESFile.read(path).photometry.expanded()
     around, gamma = np.random.default_rng(1).random((2, 500)) * [[360.0], [90.0]]
-    said = np.array([theirs.get_intensity(g, p) for g, p in zip(gamma, around, strict=True)])
-    assert np.allclose(ours.at(direction(around, gamma)), said.ravel(), rtol=1e-9)
+    stated = np.array([theirs.get_intensity(g, p) for g, p in zip(gamma, around, strict=True)])
+    assert np.allclose(ours.at(direction(around, gamma)), stated.ravel(), rtol=1e-9)
 
 
 @pytest.mark.parametrize("symmetry", range(5))
@@ -193,7 +193,7 @@ def good() -> str:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "stated"),
     [
         (good()[:-8], "is cut off: its header makes 20 numbers"),
         (good() + "7 7\n", "goes on behind its end"),
@@ -213,11 +213,11 @@ def good() -> str:
         ("TILT=INCLUDE\n1", "is cut off within its TILT"),
     ],
 )
-def test_ies_files_that_are_wrong_are_refused_in_a_sentence(text: str, said: str) -> None:
+def test_ies_files_that_are_wrong_are_refused_in_a_sentence(text: str, stated: str) -> None:
     with pytest.raises(Refused, match=r"^lamp\.ies: cannot be used: ") as refused:
         read(text)
 
-    assert said in str(refused.value)
+    assert stated in str(refused.value)
     assert "\n" not in str(refused.value)
 
 
@@ -265,8 +265,8 @@ def test_the_peak_of_types_a_and_b_is_where_their_angles_say(
     assert table.at(turned(kind, *peak)) == pytest.approx(1000, rel=0.01)
     for aside in (5, 12):  # a node, and a place between nodes
         there = turned(kind, peak[0] + aside, peak[1])
-        said = np.interp(peak[0] + aside, h, values[:, v == peak[1]].ravel())
-        assert table.at(there) == pytest.approx(1000 * said, rel=0.01)
+        stated = np.interp(peak[0] + aside, h, values[:, v == peak[1]].ravel())
+        assert table.at(there) == pytest.approx(1000 * stated, rel=0.01)
 
 
 @pytest.mark.parametrize("kind", [2, 3])

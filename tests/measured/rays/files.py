@@ -29,8 +29,8 @@ def tm25(
 ) -> bytes:
     """A file of IES TM-25-13."""
     spectral = 4 if flags[7] else 3 if spectra else 2 if flags[3] else 0
-    said = len(table) if count is None else count
-    block = struct.pack("<4sii2fQ", b"TM25", version, 0, np.nan, 1.5, said)
+    stated = len(table) if count is None else count
+    block = struct.pack("<4sii2fQ", b"TM25", version, 0, np.nan, 1.5, stated)
     block += struct.pack("<28sii3f", b"2026-01-02T03:04:05+00:00", 0, spectral, np.nan, 400, 700)
     block += struct.pack("<3i", len(spectra), len(names), 4 * len(text)) + bytes(168)
     assert len(block) == 256
@@ -50,8 +50,8 @@ def dat(
     table: np.ndarray, unit: int = 4, identifier: int = 1010, count: int | None = None
 ) -> bytes:
     """A binary file of OpticStudio; of 8 columns the last are wavelengths in µm."""
-    said = len(table) if count is None else count
-    head = struct.pack("<iI100s3f4fI", identifier, said, b"an LED", 1, 1, 0, 0, 0, 0, 0, unit)
+    stated = len(table) if count is None else count
+    head = struct.pack("<iI100s3f4fI", identifier, stated, b"an LED", 1, 1, 0, 0, 0, 0, 0, unit)
     head += struct.pack("<9f4fiiii", *[0.0] * 13, 2 * (table.shape[1] == 8), 0, 0, 0)
     assert len(head) == 208
     return head + table.astype("<f4").tobytes()

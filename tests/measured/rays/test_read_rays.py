@@ -84,7 +84,7 @@ def with_value(row: int, column: int, value: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "stated"),
     [
         (b"", "is cut off within its header"),
         (tm25(TABLE)[:5000], "is cut off within its header"),
@@ -106,15 +106,15 @@ def with_value(row: int, column: int, value: float) -> np.ndarray:
         ),
     ],
 )
-def test_tm25_files_that_are_wrong_are_refused_in_a_sentence(content: bytes, said: str) -> None:
+def test_tm25_files_that_are_wrong_are_refused_in_a_sentence(content: bytes, stated: str) -> None:
     with pytest.raises(Refused, match=r"^led\.tm25ray: cannot be used: ") as refused:
         read(content)
 
-    assert said in str(refused.value)
+    assert stated in str(refused.value)
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "stated"),
     [
         (b"", "begins neither"),
         (dat(TABLE)[:100], "is cut off within its header"),
@@ -125,15 +125,15 @@ def test_tm25_files_that_are_wrong_are_refused_in_a_sentence(content: bytes, sai
         (text(TABLE, " ", head="999 4\n"), "says 999 rays, and there are 1000"),
     ],
 )
-def test_opticstudio_files_that_are_wrong_are_refused(content: bytes, said: str) -> None:
+def test_opticstudio_files_that_are_wrong_are_refused(content: bytes, stated: str) -> None:
     with pytest.raises(Refused, match=r"^led\.dat: cannot be used: ") as refused:
         read(content, "led.dat")
 
-    assert said in str(refused.value)
+    assert stated in str(refused.value)
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "stated"),
     [
         (b"", "has no rays"),
         (b"x,y,z,l,m,n,flux\n", "has no rays"),
@@ -145,11 +145,11 @@ def test_opticstudio_files_that_are_wrong_are_refused(content: bytes, said: str)
         (text(TABLE, ", ").replace(b".", b","), "first ray has"),
     ],
 )
-def test_text_that_is_wrong_is_refused(content: bytes, said: str) -> None:
+def test_text_that_is_wrong_is_refused(content: bytes, stated: str) -> None:
     with pytest.raises(Refused, match=r"^led\.csv: cannot be used: ") as refused:
         read(content, "led.csv")
 
-    assert said in str(refused.value)
+    assert stated in str(refused.value)
     assert len(str(refused.value)) < 200
 
 

@@ -127,12 +127,12 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
         ready.compile_all()
     others = {"beams", "boxes"}
     assert ready._ready == {(name, torch.float32) for name in others}
-    assert ready.is_compiled()  # nothing is left to wait for
+    assert ready.is_compiled()  # nothing to wait for
     scene = make_scene()
     plan = Plan(scene)
-    said = "the kernel could not be compiled (ValueError: no such register)"
+    stated = "the kernel could not be compiled (ValueError: no such register)"
     assert plan.notes[0].startswith("reference in torch")
-    assert any(note.startswith(said) for note in plan.notes)
+    assert any(note.startswith(stated) for note in plan.notes)
     reference = Plan(scene, fused=False)
     assert torch.equal(
         plan.trace({"lens.back": lens(scene)}).flux,
@@ -146,8 +146,8 @@ def test_a_run_says_that_kernels_cannot_be_kept(make_scene, monkeypatch):
     assert not any("could not be kept" in note for note in Plan(make_scene()).notes)
     monkeypatch.setattr(compiled, "_folder", lambda: None)
     monkeypatch.setattr(compiled, "_failures", ["/disk: No space left on device"])
-    said = "compiled kernels could not be kept (/disk: No space left on device)"
-    assert any(note.startswith(said) for note in Plan(make_scene()).notes)
+    stated = "compiled kernels could not be kept (/disk: No space left on device)"
+    assert any(note.startswith(stated) for note in Plan(make_scene()).notes)
 
 
 @pytest.mark.parametrize("source", [{}, {"source": {"kind": "point", "position": [0, 0, -4]}}])

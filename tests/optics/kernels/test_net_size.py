@@ -36,7 +36,7 @@ RAYS = {name: BEAMS[name] for name in ("collimated", "mirror")} | {
 
 
 def refused(plan, scene, face):
-    """Trace lenses on larger, smaller and turned nets; what is said of each, and what fits."""
+    """Trace lenses on larger, smaller and turned nets; what is stated of each, and what fits."""
     assert plan.notes[0].startswith("fused")
     nets = freeform_nets(scene.optic)
     heights = {

@@ -1,4 +1,4 @@
-"""All figures of a check in a dock: told, explained, copied; and the choice of rays."""
+"""All figures of a check in a dock: stated, explained, copied; and the choice of rays."""
 
 import pytest
 from PySide6.QtGui import QAction

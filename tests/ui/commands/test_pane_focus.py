@@ -1,4 +1,4 @@
-"""Every pane is reachable by keyboard, and the one with the focus is told from the others."""
+"""Every pane is reachable by keyboard, and the one with the focus is marked."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible

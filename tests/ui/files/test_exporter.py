@@ -1,4 +1,4 @@
-"""Exports from the window: written beside it, told with their measured error."""
+"""Exports from the window: written beside it, reported with their measured error."""
 
 import dataclasses
 import itertools

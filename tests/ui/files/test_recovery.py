@@ -172,7 +172,7 @@ BEGIN = (
 
 
 def first_line(script, number, folder):
-    """What a program told before it got a signal."""
+    """What a program reported before it got a signal."""
     process = subprocess.Popen(
         [sys.executable, "-c", script],
         env={**os.environ, "XDG_CONFIG_HOME": str(folder)},

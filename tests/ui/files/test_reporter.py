@@ -1,4 +1,4 @@
-"""Reports from the window: written by a process beside it, told, cancelled, refused."""
+"""Reports from the window: written by a process beside it, reported, cancelled, refused."""
 
 import subprocess
 import sys

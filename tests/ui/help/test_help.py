@@ -78,7 +78,7 @@ class TestSearch:
         assert len(places) == shown
 
 
-def test_words_that_no_page_has_are_said_to_be_on_none(manual, qtbot):
+def test_words_that_no_page_has_are_stated_to_be_on_none(manual, qtbot):
     qtbot.keyClicks(manual._search, "xyzzy")
     assert listed(manual) == []
     assert manual._nothing.isVisible()

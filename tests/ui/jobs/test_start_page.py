@@ -76,7 +76,7 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
     assert not row.refusal and editor.text() == "500" and button.isEnabled()
 
 
-def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
+def test_a_picture_that_cannot_be_read_is_stated_and_does_not_begin(window, page, qtbot):
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
     qtbot.waitUntil(lambda: "none-256.png" in page._estimate.text)

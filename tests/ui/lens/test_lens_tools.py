@@ -134,7 +134,7 @@ def test_locked_points_do_not_move(sculpting, drag):
     held = drag(tools.view, control_point(tools, (6, 5)))
     held.move(upwards(tools.view, 0.1))
     held.release()
-    assert "locked" in tools.said[-1]
+    assert "locked" in tools.stated[-1]
     assert tools.document.session.result is None
     tools.commands["unlock_all"]()
     assert not tools.document.session.locked
@@ -207,7 +207,7 @@ def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     assert document.session.scene.source.position[2] == pytest.approx(-2.0, abs=0.05)
     held.move(seen_at(view, (x, y, 3.0)) - start, ctrl)
     assert document.session.scene.source.position[2] < 0
-    assert "source.position" in tools.said[-1]
+    assert "source.position" in tools.stated[-1]
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert document.session.scene.source.position == (x, y, z)
     held.release()
@@ -258,7 +258,7 @@ def test_an_element_of_a_train_is_moved(make_tools, make_scene, drag, qtbot):
     assert high == pytest.approx(3, abs=0.1)
     held.move(seen_at(view, (x, y, 0.3)) - seen_at(view, (x, y, 3)), ctrl)
     assert document.session.scene.elements[1].position[2] == high
-    assert "elements[1].position" in tools.said[-1]
+    assert "elements[1].position" in tools.stated[-1]
     held.release()
     document.undo_stack.undo()
     document.undo_stack.undo()

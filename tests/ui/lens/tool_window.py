@@ -27,8 +27,8 @@ class ToolWindow:
         self.control = RunControl(self.document, self.window)
         self.tools = LensTools(self.document, self.control, self.view, self.window)
         self.commands = self.tools.slots()
-        self.said, self.put_away = [], []
-        self.tools.message.connect(self.said.append)
+        self.stated, self.put_away = [], []
+        self.tools.message.connect(self.stated.append)
         self.view.escaped.connect(lambda: self.put_away.append(True))
         self.view.show_design(session)
         self.document.session_changed.connect(self.view.show_design)

@@ -1,4 +1,4 @@
-"""The dock that says whether a shop can make the lens on show."""
+"""The dock that says whether a shop can make the shown lens."""
 
 import pytest
 
@@ -65,7 +65,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
 
 def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     own = pane._fields.limits.min_thickness
-    assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless told
+    assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless stated
     assert not any(text for key, text in states(pane).items() if key != "thinnest")
     enter(pane, qtbot, "max_slope", "5")
     assert states(pane)["steepest"] == "✗ exceeded"

@@ -1,4 +1,4 @@
-"""What is said and offered when an edit changes the net or the task of a designed lens."""
+"""What is stated and offered when an edit changes the net or the task of a designed lens."""
 
 from dataclasses import replace
 
@@ -20,7 +20,7 @@ from workbench.scene import PlaneFace, SplineFace
 
 @pytest.fixture
 def desk(qtbot, session, history, rng):
-    """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
+    """Forms over a document with a lens that no coarser net can hold, and what is stated of it."""
     result = history(4).result()
     heights = result.state.heights["lens.back"] + 0.01 * rng.normal(
         size=result.state.heights["lens.back"].shape
@@ -104,7 +104,7 @@ def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how
     assert f"moved by up to {moved:.2g} cm" in desk.messages.text
 
 
-def test_a_second_freeform_face_is_said_and_taken_back(desk):
+def test_a_second_freeform_face_is_stated_and_taken_back(desk):
     document = desk.document
     before = document.session
     front = SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))

@@ -22,7 +22,7 @@ LOST = Account(
         "fresnel_exit": 0.02,
     },
 )
-SAID = (
+STATED = (
     "Only 8.0 % of the light lands on the screen; 57 % leaves by the side: a thinner lens, or a "
     "source farther away or nearer to the axis, keeps it."
 )
@@ -56,6 +56,6 @@ def desk(qtbot, session, as_run):
 
 def test_notice_names_the_cure_and_goes_with_the_lens(desk):
     desk.lose(LOST)
-    assert desk.messages.text == SAID
+    assert desk.messages.text == STATED
     desk.document.undo_stack.undo()
     assert desk.messages.text == ""

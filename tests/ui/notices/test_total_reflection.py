@@ -19,7 +19,7 @@ def desk(qtbot, session, as_run):
     owner = QObject()
     owner.document = Document(session, "small")
     owner.document.setParent(owner)
-    owner.control, owner.spots, owner.said = RunControl(owner.document, owner), [], []
+    owner.control, owner.spots, owner.stated = RunControl(owner.document, owner), [], []
     x, _ = ControlNet.of(session.scene.optic).positions
     rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * np.ones((12, 10))
 
@@ -38,7 +38,7 @@ def desk(qtbot, session, as_run):
     owner.end = end
     owner.notice = TotalReflectionNotice(owner.document, owner.control)
     owner.notice.located.connect(lambda *spots: owner.spots.append(spots))
-    owner.notice.reported.connect(owner.said.append)
+    owner.notice.reported.connect(owner.stated.append)
     yield owner
     owner.notice.close()
     owner.control.close()
@@ -47,8 +47,8 @@ def desk(qtbot, session, as_run):
 
 def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
     desk.end(0.2)
-    qtbot.waitUntil(lambda: bool(desk.said), timeout=60_000)
-    (sentence,) = desk.said
+    qtbot.waitUntil(lambda: bool(desk.stated), timeout=60_000)
+    (sentence,) = desk.stated
     assert (
         "% of the light is totally reflected at the exit face, most of it around x = " in sentence
     )

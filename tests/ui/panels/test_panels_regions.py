@@ -12,7 +12,7 @@ from workbench.scene import PolygonRegion
 
 @pytest.fixture
 def document(make_session):
-    return Document(make_session(), "watched")
+    return Document(make_session(), "observed")
 
 
 @pytest.fixture

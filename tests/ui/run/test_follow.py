@@ -216,7 +216,7 @@ def test_an_abandoned_design_ends_before_its_first_lens(desk, qtbot, designed, w
         desk.document.begin(designed, "new")
         qtbot.waitUntil(lambda: begun == [7, 5])
     else:
-        desk.edit(8)  # the first lens may still come soon
+        desk.edit(8)  # the first design may still come soon
         qtbot.waitUntil(lambda: begun == [7, 8])
     desk.follow.rest()
     qtbot.waitUntil(lambda: not desk.follow._background.running)

@@ -1,4 +1,4 @@
-"""Kept runs as values: names, room, restoring."""
+"""Kept runs as values: names, memory, restoring."""
 
 from dataclasses import replace
 

@@ -56,5 +56,5 @@ def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path)
     status.show_frame(frames(1, session, irradiance=exact, further=(further,)), running=False)
     error = relative_l2(upside_down, wanted)
     assert error > 0.1
-    said = f"Error 0.00 %, {100 * error:.1f} % · light on the screen 92.0 %, 30.0 %"
-    assert status._light.text() == said
+    stated = f"Error 0.00 %, {100 * error:.1f} % · light on the screen 92.0 %, 30.0 %"
+    assert status._light.text() == stated

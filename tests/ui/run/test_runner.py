@@ -11,7 +11,7 @@ from workbench.errors import RunFailed
 
 
 class Heard:
-    """What a runner said."""
+    """What a runner stated."""
 
     def __init__(self, runner):
         self.states, self.frames, self.results, self.failures, self.threads = [], [], [], [], []

@@ -31,7 +31,7 @@ def found(error):
 
 @pytest.fixture
 def checks(monkeypatch):
-    """Checks that say what they are told at once; notes heights, rays and threads."""
+    """Checks that report at once what they are given; notes heights, rays and threads."""
     seen = SimpleNamespace(asked=[], error=0.0125)
 
     def validating(scene, target, heights, rays, threads, accuracy):

@@ -80,7 +80,7 @@ def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(received, qtbo
 
 @pytest.fixture
 def warmed_up(qtbot, monkeypatch):
-    """Imports modules, and gives what was compiled and what was told."""
+    """Imports modules, and gives what was compiled and what was reported."""
 
     def do(modules):
         compiled, received = [], []

@@ -1,4 +1,4 @@
-"""Sweeps in the window: what is asked, watched, stopped and opened."""
+"""Sweeps in the window: what is asked, shown, stopped and opened."""
 
 import time
 

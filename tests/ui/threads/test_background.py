@@ -1,4 +1,4 @@
-"""Work in a thread: what is told, what is cancelled, what ends."""
+"""Work in a thread: what is reported, what is cancelled, what ends."""
 
 import threading
 

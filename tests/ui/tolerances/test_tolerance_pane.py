@@ -1,4 +1,4 @@
-"""The dock that perturbs the lens on show."""
+"""The dock that perturbs the shown lens."""
 
 import numpy as np
 import pytest

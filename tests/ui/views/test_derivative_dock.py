@@ -44,7 +44,7 @@ def seen_at(window, index):
 
 @pytest.fixture
 def picking(window, qtbot):
-    """The window with its derivative dock open and the control points on show."""
+    """The window with its derivative dock open and the control points shown."""
     window.workspace.docks["derivative"].toggleViewAction().trigger()
     view, derivative = window.loaded.views.scene, window.loaded.views.derivative
     qtbot.waitUntil(

@@ -1,4 +1,4 @@
-"""The derivative dock's view: when it computes, of which lens, what it tells."""
+"""The derivative dock's view: when it computes, of which lens, what it states."""
 
 import dataclasses
 from types import SimpleNamespace

@@ -61,7 +61,7 @@ def view(frame, traces, show, qtbot):
 
 
 def traced(view, frame, qtbot, rays=MANY):
-    """Wait for the light at the distance on show; what it has to be."""
+    """Wait for the light at the shown distance; what it has to be."""
     scene, target = frame.session.scene, frame.session.target
     heights = frame.state.heights["lens.back"]
     wanted = validate(scene, target, {"lens.back": heights}, rays, screen_z=view.z)

@@ -32,7 +32,7 @@ def view(flat, show, qtbot):
     view.close_threads()
 
 
-def said(view):
+def stated(view):
     return view.findChildren(QLabel)[-1].text()
 
 
@@ -44,7 +44,7 @@ def seen(view):
 
 def test_the_photo_is_that_of_the_engine_and_exposure_changes_it_at_once(view, qtbot):
     qtbot.waitUntil(lambda: view.photo is not None)
-    assert said(view) == (
+    assert stated(view) == (
         "Viewed from behind the screen; daylight (D65), no dispersion known, with cells."
     )
     frame = view._frame
@@ -68,5 +68,5 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     assert view.photo.light is LIGHTS["led"]
     view.show_frame(flat(1))
     assert view.photo is None
-    assert said(view).startswith("Outdated.")
+    assert stated(view).startswith("Outdated.")
     qtbot.waitUntil(lambda: view.photo is not None)

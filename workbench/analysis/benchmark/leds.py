@@ -75,7 +75,7 @@ def designed(name: str, example: BenchmarkTask, plane_exit: bool, notify: Notify
     """Design a lens, and check how much light lands where the target is bright.
 
     `name`: what the design is called; `example`: the design task; its target is bright or dark;
-    `plane_exit`: whether the exit face stays as its base is; `notify`: told what is done.
+    `plane_exit`: whether the exit face stays as its base is; `notify`: gets what is done.
     """
     scene, target = example.scene, example.target
     locked = {"lens.back": np.ones(scene.optic.net_shape, bool)} if plane_exit else NO_LOCKS

@@ -138,9 +138,9 @@ def _process(scene: Path, iterations: int) -> FreshRun:
     memory = None
     begun = time.perf_counter()
     with (
-        scene.with_name("said.txt").open("w+b") as said,
+        scene.with_name("errors.txt").open("w+b") as errors,
         subprocess.Popen(
-            [*command, "--iterations", str(iterations)], stdout=subprocess.DEVNULL, stderr=said
+            [*command, "--iterations", str(iterations)], stdout=subprocess.DEVNULL, stderr=errors
         ) as process,
     ):
         try:
@@ -151,8 +151,8 @@ def _process(scene: Path, iterations: int) -> FreshRun:
         finally:
             process.terminate()  # if this was interrupted
         seconds = time.perf_counter() - begun
-        said.seek(0)
-        lines = said.read().decode(errors="replace").strip().splitlines()
+        errors.seek(0)
+        lines = errors.read().decode(errors="replace").strip().splitlines()
     if process.returncode != 0:
         raise RunFailed(lines[-1] if lines else f"exit status {process.returncode}")
     return FreshRun(seconds, memory)

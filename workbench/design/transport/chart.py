@@ -11,7 +11,7 @@ that has no curl at all. The first design for a photograph on the wall of *Wall 
 
 How light misses its places changes slowly from one cell to the next, so lenses of few cells find
 the chart. One of 216 cells along each axis, made of three transports and fits, takes 0.1 to 0.2 s
-of the processor, and the first lens of 864 cells needs no other one. It begins with the lens of
+of the processor, and the first design of 864 cells needs no other one. It begins with the lens of
 these few cells.
 """
 

@@ -128,7 +128,7 @@ class FaceLight:
         if self._given.pattern is not None:  # a file's origin need not be where its light is
             x, y, z = (float(c) for c in self._given.middle(self.x, self.y, self._entrance_z))
             sharp = PointSource(kind="point", position=(x, y, z))
-        if isinstance(sharp, PointSource):  # a first lens needs no triangles
+        if isinstance(sharp, PointSource):  # a first design needs no triangles
             sharp = sharp.model_copy(update={"intersection": ExactMethod()})
         scene = scene.model_copy(update={"source": sharp})
         self._scene, self._net = scene, net

@@ -33,7 +33,7 @@ from workbench.messages import Message
 from workbench.powers import written
 from workbench.scene import PlaneFace, Scene, WantedImage
 
-# Control points along an axis, at most, of a lens that only tells where its face is.
+# Control points along an axis, at most, of a lens that only shows where its face is.
 _ROUGH = 64
 _BOTH, _ALONE = Message("both faces"), Message("the exit face alone")
 _LINES = Message("both faces along lines through all images")
@@ -47,7 +47,7 @@ _PLACE, _NEAR_PLACE = 0.5, 0.1
 
 
 class First(NamedTuple):
-    """A first lens."""
+    """A first design."""
 
     # (n_u, n_v), control heights of each freeform face by its name, scene units; beyond their
     # limits where these are too narrow for the task.
@@ -59,10 +59,10 @@ class First(NamedTuple):
 
 
 def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES) -> First | None:
-    """The first lens by transport; None if no light leaves any.
+    """The first design by transport; None if no light leaves any.
 
     A lens of two faces begins with each bending the light by half, or with a flat entrance face
-    where that makes a better image. Where one of them is fixed, the other does what is left.
+    where that makes a better image. Where one of them is fixed, the other does the rest.
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control
     heights of one of two faces that is what it is, by its name, scene units.
@@ -83,7 +83,7 @@ def first_of_several(
     alone: Callable[[WantedImage], First | None],
     fixed: Mapping[str, Array] = NO_FACES,
 ) -> First | None:
-    """The first lens for several images: the best of one for all of them and those for each.
+    """The first design for several images: the best of one for all of them and those for each.
 
     `scene`: the design task, with further images; `target` (n_y, n_x): the first wanted image in
     any scale, row 0 at +y; `alone`: for a lens of which one face is free, the first one for an
@@ -142,7 +142,7 @@ def _chosen(errors: Mapping[Message, float], best: Message) -> Message:
         for number, (face, error) in enumerate(errors.items())
     }
     return Message(
-        "first lens: {tried}; it begins with {best}",
+        "first design: {tried}; it begins with {best}",
         tried=Message(", ".join(f"{{{name}}}" for name in tried), **tried),
         best=best,
     )
@@ -154,7 +154,7 @@ def behind_flat_entrance(scene: Scene) -> Scene:
     low, high = lens.entrance_range
     near = lens.front_z - scene.source.nearest_z < max(lens.half_width)
     z = low + (_NEAR_PLACE if near else _PLACE) * (high - low)
-    clear = lens.floor - z
+    clear = lens.z_min - z
     optic = scene.optic.with_front(PlaneFace())
     x, y, _ = optic.position
     flat = {"thickness": optic.base.height - z, "min_thickness": clear}
@@ -162,7 +162,7 @@ def behind_flat_entrance(scene: Scene) -> Scene:
 
 
 def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
-    """A first lens with a flat entrance face, placed so that it can become another."""
+    """A first design with a flat entrance face, placed so that it can become another."""
     flat = behind_flat_entrance(scene)
     heights = transport_start(flat, target)
     if heights is None:
@@ -174,7 +174,7 @@ def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
 def first_design(
     scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES
 ) -> First | None:
-    """A first lens by transport; see `first_of`, and for several images `first_of_several`.
+    """A first design by transport; see `first_of`, and for several images `first_of_several`.
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v).
     """
@@ -193,7 +193,7 @@ def first_design(
         )
     if Blur.of(scene).within_a_pixel or not one_over_the_lens(scene):
         return first_of(scene, target, fixed)
-    # How far the designed face is from the receiver tells how wide the blur is.
+    # How far the designed face is from the receiver determines how wide the blur is.
     face_z = _face_z(scene, target, fixed)
     if face_z is None:
         return None

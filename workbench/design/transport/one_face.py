@@ -3,7 +3,7 @@
 1. Optimal transport between the light that leaves the exit face and the target says which part of
    the light should go where. The cost −x·y is the one for which a thin lens under small angles can
    be exact (Glimm and Oliker 2003). Where it is far from that, places on the receiver get other
-   coordinates first (`workbench.design.transport.chart`); the rest is left to the optimiser.
+   coordinates first (`workbench.design.transport.chart`); the optimiser does the rest.
 2. The laws of refraction and reflection say which slopes the face needs for that.
 3. Least squares find the face of the B-spline space that comes closest to these slopes.
 
@@ -38,7 +38,7 @@ from workbench.scene import Scene
 # number that can be halved often. Rows of 896 cells take twice the time of those of 864: they lie a
 # multiple of 1024 bytes apart, on the same places of a cache.
 CELLS, _STEP = 256, 96
-# Fits to a transport: the first face only tells where light is, the next one is a first lens.
+# Fits to a transport: the first face only shows where light is, the next one is a first design.
 _ROUGH_FITS, _FITS, _NEAR_FITS = 1, 1, 2
 # Rounds of transport on the finest grid for a quick lens. Where the error of its image is less than
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
@@ -51,8 +51,8 @@ FEW_ROUNDS, _GOOD = 3, 0.06
 
 # Cells along an axis for each control point: one, and so many more for each degree; and at least. A
 # flame's lens of 480 control points of degree 3 is 1.63 % off with 1.25 to 1.8 of them, for 0.26 to
-# 0.60 s of the processor. With fewer, slopes in cells tell a spline no longer: near its ends it
-# runs wild, the more so the higher its degree.
+# 0.60 s of the processor. With fewer, slopes in cells do not determine a spline: near its ends it
+# oscillates, the more so the higher its degree.
 _PER_DEGREE, _FEWEST_CELLS = 0.15, 256
 # The first fit takes slopes where the former face was. Another one follows where the face has moved
 # by more than this part of its extent along z.
@@ -60,7 +60,7 @@ _STILL = 0.01
 
 
 def transport_start(scene: Scene, target: Array) -> Array | None:
-    """Control heights of a first lens.
+    """Control heights of a first design.
 
     `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
     n_x): the wanted image in any scale, row 0 at +y. Returns (n_u, n_v): heights, scene units,
@@ -117,7 +117,7 @@ class _Judged(NamedTuple):
 
 
 def cells_for(net: ControlNet) -> int:
-    """Cells along each axis of a first lens on a net."""
+    """Cells along each axis of a first design on a net."""
     return max(CELLS, _STEP * math.ceil(PER_CONTROL_POINT * max(net.shape) / _STEP))
 
 
@@ -145,7 +145,7 @@ def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> fl
 def refitted(before: Scene, heights: Array, scene: Scene) -> Array | None:
     """Control heights that send light where those of another scene send it.
 
-    No transport is needed, which takes most of the time of a first lens. With the index of a
+    No transport is needed, which takes most of the time of a first design. With the index of a
     flame's lens 2 % higher or its screen 10 % farther, the face is found in 0.2 s, and its image is
     1.5 to 2.1 % off where it was 1.5 % off before; by transport it takes 1 to 2 s and begins at 6
     to 8 %.

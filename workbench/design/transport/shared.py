@@ -1,7 +1,7 @@
 """A first design of several elements that share the deflection.
 
 Rays through cells of the first aperture are followed through the whole train. Transport says where
-on the receiver each ray should arrive. Small tilts of each face tell how far its slopes move the
+on the receiver each ray should arrive. Small tilts of each face show how far its slopes move the
 ray, and of all changes of slopes that bring the ray there, the smallest ones are taken: the
 solution s = W Jᵀ (J W Jᵀ)⁻¹ Δ of J s = Δ with the least sᵀ W⁻¹ s. Least squares find faces of these
 slopes. Where light would pass the last element by, the weights W of the other faces are lowered.
@@ -35,10 +35,10 @@ _LEVELS = (96, 4), (224, 4)
 # Weights of all faces but the last that are tried, and the part of the light without a deflection
 # that has to arrive for the first of them to be taken.
 _WEIGHTS, _ENOUGH = (1.0, 0.5, 0.25, 0.1, 0.0), 0.98
-# Slope of the tilts that tell how far a face moves rays; and the most that slopes change in a fit.
+# Slope of the tilts that show how far a face moves rays; and the most that slopes change in a fit.
 _TILT, _MOST = 1e-3, 0.3
 # Parts of a change that are tried, until this part of the rays that arrived arrives again: at large
-# angles a whole change is too much, and rays that are lost tell nothing.
+# angles a whole change is too much, and lost rays give no information.
 _PARTS, _KEPT = (1.0, 0.5, 0.25), 0.99
 # Part of the mean square of J that is added to J Jᵀ: rays that no face moves stay where they are.
 _REGULAR = 1e-6

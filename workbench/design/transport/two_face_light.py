@@ -1,7 +1,7 @@
-"""Light in a lens of two freeform faces, as a first lens needs it: quickly, and nearly right.
+"""Light in a lens of two freeform faces, as a first design needs it: quickly, and nearly right.
 
 Both faces are known at even cells, and taken as straight between these: a search on the B-splines
-themselves took three quarters of the time of a first lens.
+themselves took three quarters of the time of a first design.
 """
 
 from collections.abc import Mapping

@@ -34,7 +34,7 @@ from workbench.scene import Scene, WantedImage
 _CELLS = 128
 # Rounds of transport, each with light that knows more of the lens.
 _ROUNDS = 3
-# What is left of the bending at the entrance face in each trial after one whose face did not fit
+# The share of the deflection at the entrance face in each trial after one whose face did not fit
 # between its limits.
 _LESS, _TRIALS = 0.9, 4
 # Pairs of faces in each round of transport, for one image and for several.
@@ -49,13 +49,13 @@ _UPRIGHT = np.zeros(()), np.zeros(()), np.ones(())
 def split_start(
     scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES
 ) -> dict[str, Array] | None:
-    """Control heights of both faces of a first lens that share the bending of the light.
+    """Control heights of both faces of a first design that share the bending of the light.
 
     Between two flat faces light goes on behind the lens as it came. Here it takes the way in the
     glass that it would take there if it came from half-way between where it comes from and where it
     should go: each face then turns light by half, which takes equal slopes of both where these are
     small. Light without a turn finds two flat faces, from however near a source it comes. Where one
-    of the faces is fixed, the other one makes all of the turn that is left.
+    of the faces is fixed, the other one makes the rest of the deflection.
 
     `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
     n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control heights of a face
@@ -108,7 +108,7 @@ class _Split(NamedTuple):
 
 
 def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
-    """Control heights of both faces of a first lens for images on several screens.
+    """Control heights of both faces of a first design for images on several screens.
 
     Transport to each image says where on its receiver the light of each cell should go; the line
     that comes nearest to all these places is its way behind the lens. So the entrance face sends it
@@ -154,7 +154,7 @@ class _Lines(NamedTuple):
         part = np.asarray(weights)[:, None, None]
         spread = (part * off[..., 2] ** 2).sum(0)
         moved = (part[..., None] * off[..., 2:] * off[..., :2]).sum(0)
-        # Images at the same place tell no direction: light goes straight on.
+        # Images at the same place determine no direction: light goes straight on.
         return cls(middle, moved / np.where(spread > 0, spread, np.inf)[..., None])
 
     def at(self, z: Array) -> tuple[Array, Array]:
@@ -290,7 +290,7 @@ class _BothFaces:
 
 
 def cells_of_faces(nets: Mapping[str, ControlNet]) -> int:
-    """Cells along each axis of a first lens on the nets of its faces."""
+    """Cells along each axis of a first design on the nets of its faces."""
     return max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
 
 

@@ -118,5 +118,5 @@ def format_of(path: Path) -> Format:
             return found
     raise Refused(
         str(path),
-        Message("has no ending that tells a format; one of {endings}", endings=", ".join(ENDINGS)),
+        Message("has no known ending; use one of {endings}", endings=", ".join(ENDINGS)),
     )

@@ -51,7 +51,7 @@ def reconstruct(
     offset_y = torch.where(near, row - i - 0.5, 0.0)
     taps_x = _taps(offset_x, filter, axis=0)
     taps_y = _taps(offset_y, filter, axis=1)
-    # In float64 whatever the trace: many rays in one pixel add less each than float32 can tell.
+    # In float64 whatever the trace: many rays in one pixel add less each than float32 resolves.
     canvas = weight.new_zeros((rows + 2 * margin[1]) * stride, dtype=torch.float64)
     for b, tap_y in enumerate(taps_y):
         flux = weight if tap_y is None else weight * tap_y

@@ -25,7 +25,7 @@ from workbench.optics.kernels.polygons import compiled_drawn
 # Corners of the triangles of even and of odd cells, as numbers of 2 × 2 nodes; see
 # `workbench.optics.images.beams`.
 _EVEN, _ODD = [[0, 2, 3], [0, 3, 1]], [[0, 2, 1], [2, 3, 1]]
-# Corners of a triangle by which the part of it that is left is measured.
+# Corners of a triangle by which the part of it within the rim is measured.
 _UNIT = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 
 
@@ -159,7 +159,7 @@ def _carried_on(known: Tensor, within: Tensor) -> tuple[Tensor, Tensor]:
 
 
 def _cut(corners: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
-    """What is left of triangles where the room is not negative.
+    """Parts of triangles where the room is not negative.
 
     `corners` (3, triangles, 3): columns, rows and room.
     """

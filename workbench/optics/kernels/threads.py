@@ -53,7 +53,7 @@ def split(lines: int, rays: int, shares: int = 1) -> list[int]:
 def run(work: Callable[[int], None], parts: int) -> None:
     """Call ``work(part)`` for each part, several at the same time, and wait for all.
 
-    There are no more threads at work than torch has, and each takes the next part that is left:
+    There are no more threads at work than torch has, and each takes the next part:
     with more parts than threads, none waits long for another. The caller's thread is one of them.
     ``work`` should spend its time in a kernel compiled with ``nogil=True`` and may not call `run`
     again.

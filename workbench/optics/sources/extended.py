@@ -42,7 +42,7 @@ class ExtendedEmitter(Emitter):
     outline: Outline
     aspect: float = 1.0
     many: Corners = Corners(64, 64, 64)
-    """Cells and origins that tell how much light meets the lens, where rays are drawn at random."""
+    """Cells and origins that estimate how much light meets the lens, where rays are random."""
 
     def __init__(self, optic: Element, rays: int, samples: Samples | None) -> None:
         super().__init__(optic, samples)

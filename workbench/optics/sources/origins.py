@@ -192,7 +192,7 @@ class Origins(NamedTuple):
     waist: float = math.inf
     # Of points: intensity by direction; flux per solid angle is ``flux`` times that.
     pattern: Pattern | None = None
-    # How far they are from what they stand for, in words; empty where nothing is to be said.
+    # How far they are from what they stand for, in words; empty where they are exact.
     note: str = ""
     emitted: EmittedLight | None = None  # all light of a single point, where a table says it
 

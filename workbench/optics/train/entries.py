@@ -200,7 +200,7 @@ class SampledFace(_Sampled):
     def start(self, heights: AnyArray, last: Last | None) -> Start:
         """See `Entry`."""
         light, (columns, rows) = self._light, (len(basis.place) for basis in self._grid[0])
-        if self._newton is not None:  # how deep the face is tells how long roots take
+        if self._newton is not None:  # the depth of the face decides how long roots take
             steps = self._newton.steps(heights)
             light = light._replace(points=light.points._replace(steps=steps))
         shape = len(self.rest), light.origins * rows, columns

@@ -45,7 +45,7 @@ _SAME = 1e-9
 class Halves(NamedTuple):
     """Parts of the first rays along x and y that belong to the half that is traced."""
 
-    # (m,), 1 for most rays, 0.5 for one in the middle; and 0 for one behind it, which tells how the
+    # (m,), 1 for most rays, 0.5 for one in the middle; and 0 for one behind it, which shows how the
     # light bends there. None where all rays are traced.
     x: Array | None
     y: Array | None

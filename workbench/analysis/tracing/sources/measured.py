@@ -95,7 +95,7 @@ class RayFileLight(LightSource):
     """Rays of a file, as many as are asked for or all; a `LightSource`.
 
     Cells, which need light at any place, have that of the points that stand for the rays: how far
-    their image is from that of the rays tells what this leaves out. The parameters are those of
+    their image is from that of the rays shows what this leaves out. The parameters are those of
     `light_source`.
     """
 

@@ -19,7 +19,7 @@ _BEAT_MS = 50
 _HARMLESS = ("This plugin does not support", "Setting a new default format")
 
 
-class Watch(QObject):
+class Monitor(QObject):
     """Takes note of every problem, with the step in which it came.
 
     Parameters
@@ -50,13 +50,13 @@ class Watch(QObject):
         self._dog = threading.Thread(target=self._guard, name="watchdog", daemon=True)
         self._dog.start()
 
-    def tell(self, problem: str) -> None:
+    def report(self, problem: str) -> None:
         """Take note of a problem."""
         self.problems.append(problem)
         self._log(f"PROBLEM {problem}")
 
     def close(self) -> None:
-        """Stop watching."""
+        """Stop monitoring."""
         self._ending = True
         self._timer.stop()
         self._dog.join()
@@ -65,17 +65,17 @@ class Watch(QObject):
         self._stacks.close()
 
     def _except(self, kind, error, trace) -> None:
-        self.tell(f"{kind.__name__}: {error}")
+        self.report(f"{kind.__name__}: {error}")
         self._hooks[0](kind, error, trace)
 
     def _except_in_thread(self, arguments) -> None:
-        self.tell(f"in thread: {arguments.exc_type.__name__}: {arguments.exc_value}")
+        self.report(f"in thread: {arguments.exc_type.__name__}: {arguments.exc_value}")
         self._hooks[1](arguments)
 
     def _hear(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
         serious = kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg)
         if serious and not any(part in text for part in _HARMLESS):
-            self.tell(f"Qt: {text}")
+            self.report(f"Qt: {text}")
 
     def _answer(self) -> None:
         now = time.monotonic()
@@ -96,7 +96,7 @@ class Watch(QObject):
                 os._exit(1)
 
     def _dump(self, problem: str) -> None:
-        self.tell(problem)
+        self.report(problem)
         faulthandler.dump_traceback(self._stacks, all_threads=True)
         self._log(self._state())
 
