@@ -13,7 +13,7 @@ from resources.make_screenshot import dialog_of, settle
 from ui.commands.panes import PANES
 from ui.commands.table import TOOLS
 from ui.dialogs.tour import STOPS, Bubble
-from ui.files.recovery import LeftBehind, ask
+from ui.files.recovery import About, LeftBehind, ask
 from ui.main_window import MainWindow
 from ui.widgets.controls import MenuButton
 
@@ -101,7 +101,7 @@ def dialogs(window: MainWindow) -> Iterator[QPixmap]:
         *(window.commands[command].trigger for command in _HOLD),
         partial(window.files.ask, "Save the changes to flame?"),
         *(
-            partial(ask, LeftBehind(file, "flame", None, ended, lock), window)
+            partial(ask, LeftBehind(file, About("flame", ended=ended), lock), window)
             for ended in (False, True)
         ),
     ]
@@ -112,7 +112,7 @@ def dialogs(window: MainWindow) -> Iterator[QPixmap]:
 def tour(window: MainWindow) -> Iterator[QPixmap]:
     """The window at each stop of the tour."""
     window.commands["tour"].trigger()
-    bubble = window.findChild(Bubble)
+    (bubble,) = window.findChildren(Bubble)
     for _ in STOPS:
         settle(_MOMENT)
         yield bubble.grab()
@@ -121,7 +121,7 @@ def tour(window: MainWindow) -> Iterator[QPixmap]:
 
 def _maps(window: MainWindow, name: str) -> Iterator[QPixmap]:
     dock = window.workspace.docks[name]
-    chooser = dock.findChild(QComboBox)
+    chooser = dock.findChildren(QComboBox)[0]
     for number in range(1, chooser.count()):
         chooser.setCurrentIndex(number)
         settle(_WHILE)
@@ -130,7 +130,9 @@ def _maps(window: MainWindow, name: str) -> Iterator[QPixmap]:
 
 
 def _whole_form(window: MainWindow) -> QPixmap:
-    return window.forms.widget().grab()
+    form = window.forms.widget()
+    assert form is not None
+    return form.grab()
 
 
 def _of_what_holds(begin: Callable[[], object]) -> QPixmap:

@@ -88,7 +88,8 @@ def _of_engine() -> Iterator[str]:
         for loss in ("on_screen", *LOSSES):
             yield from words_of(loss, receiver)
     seen: set[type[Part]] = set()
-    for part in (Scene, *JOBS):
+    parts: tuple[type[Part], ...] = (Scene, *JOBS)
+    for part in parts:
         yield from _of_part(part, seen)
     yield from BOUNDS.values()
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))

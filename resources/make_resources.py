@@ -19,9 +19,13 @@ from resources.fields_page import fields_page
 from resources.parts import bspline, lens, screen, shown
 from workbench.arrays import Array
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
-from workbench.targets.shapes import draw
+from workbench.targets.shapes import Builtin, draw
 
-SHAPES = {"tophat": TopHatTarget(), "flame": FlameTarget(), "ball": BallTarget()}
+SHAPES: dict[str, Builtin] = {
+    "tophat": TopHatTarget(),
+    "flame": FlameTarget(),
+    "ball": BallTarget(),
+}
 SIZES = (256, 512)
 DRAWINGS = {"photo": drawings.photograph, "letter": drawings.letter, "street": drawings.street}
 DRAWING_SIZE = 256
@@ -45,8 +49,8 @@ _SOURCES = {
 def make(folder: Path) -> None:
     """Write everything that is generated below ``folder``."""
     targets, examples, measured = (folder / name for name in ("targets", "examples", "lights"))
-    for each in (targets, examples, measured):
-        each.mkdir(exist_ok=True)
+    for below in (targets, examples, measured):
+        below.mkdir(exist_ok=True)
     for name in SHAPES:
         for size in SIZES:
             target_image(name, size).save(targets / f"{name}-{size}.png", optimize=True)

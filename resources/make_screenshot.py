@@ -46,7 +46,7 @@ def open_window(example: str, size: QSize) -> MainWindow:
 
 def design(window: MainWindow) -> None:
     """Run the design to its end."""
-    assert window.loaded.control is not None
+    assert window.loaded is not None
     done = QEventLoop()
     window.loaded.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
     window.start()

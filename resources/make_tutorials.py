@@ -14,12 +14,13 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 import resources
 from resources.make_screenshot import begin, design, open_window, settle
-from ui.dialogs.estimate import ProspectFinder
+from ui.dialogs.estimate import Estimator
 from ui.dialogs.start_page import StartPage
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog
 from workbench.jobs import Job
 from workbench.jobs.lenses import BeamShaper, Experiment, LedRectangle, StreetLight, SunPlate
+from workbench.jobs.prospect import Prospect
 
 _SIZE = QSize(1280, 800)
 _PATIENCE = 300.0  # seconds
@@ -43,11 +44,11 @@ def choose(window: MainWindow, kind: type[Job], picture: str) -> None:
     """Choose a job on the start page, see what can be expected of it, and begin it."""
     window.commands["new"].trigger()
     (page,) = window.findChildren(StartPage)
-    (finder,) = page.findChildren(ProspectFinder)
-    found: list[object] = []
+    (estimator,) = page.findChildren(Estimator)
+    found: list[Prospect] = []
     page.select(kind)
-    finder.found.connect(found.append)
-    until(lambda: len(found) == 2, "what can be expected")  # at once, and by the picture at best
+    estimator.found.connect(found.append)
+    until(lambda: any(each.picture is not None for each in found), "the estimate")
     settle(500)
     take(picture, page.grab())
     page.begin()
@@ -78,7 +79,7 @@ def sun_plate(window: MainWindow) -> None:
 
     def look() -> None:
         (dialog,) = window.findChildren(CutterDialog)
-        dialog.fields.lines["tool_radius"].setText("1.5")
+        dialog.fields.enter("tool_radius", 1.5)
         dialog.simulate()
         until(dialog.look.isEnabled, "the cut")
         dialog.trace()

@@ -2944,6 +2944,11 @@
             <translation>Veraltet; wird neu berechnet, wenn der Entwurf ruht.</translation>
         </message>
         <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computing the figures: {percent} %</source>
+            <translation>Kennwerte werden berechnet: {percent} %</translation>
+        </message>
+        <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Save…</source>
             <translation>Speichern …</translation>
@@ -7665,6 +7670,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Mitsuba kennt {kind} nicht; zum Vergleichen weglassen</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_receivers.py" />
+            <source>Mitsuba has no camera for {kind}; use a plane or a far field</source>
+            <translation>Mitsuba hat keine Kamera für {kind}; eine Ebene oder ein Fernfeld verwenden</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/mitsuba_scatter.py" />
             <source>Mitsuba is given no scatter of kind {law}; compare without it</source>
             <translation>Mitsuba kennt die Streuung {law} nicht; ohne sie vergleichen</translation>
@@ -8218,6 +8228,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>first design: {tried}; it begins with {best}</source>
             <translation>erster Entwurf: {tried}; genommen: {best}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/scattering.py" />
+            <source>light of a diffuser on {kind} cannot be computed; use a plane or a far field</source>
+            <translation>Licht eines Diffusors auf {kind} kann nicht berechnet werden; eine Ebene oder ein Fernfeld verwenden</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />

@@ -2944,6 +2944,11 @@
             <translation>Obsolète ; recalculé quand la conception est au repos.</translation>
         </message>
         <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computing the figures: {percent} %</source>
+            <translation>Calcul des valeurs : {percent} %</translation>
+        </message>
+        <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Save…</source>
             <translation>Enregistrer…</translation>
@@ -7665,6 +7670,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>Mitsuba ne connaît pas {kind} ; l'omettre pour comparer</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/mitsuba_receivers.py" />
+            <source>Mitsuba has no camera for {kind}; use a plane or a far field</source>
+            <translation>Mitsuba n'a pas de caméra pour {kind} ; utiliser un plan ou un champ lointain</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/mitsuba_scatter.py" />
             <source>Mitsuba is given no scatter of kind {law}; compare without it</source>
             <translation>Mitsuba ne connaît pas la diffusion {law} ; comparer sans elle</translation>
@@ -8218,6 +8228,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>first design: {tried}; it begins with {best}</source>
             <translation>première conception : {tried} ; retenu : {best}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/scattering.py" />
+            <source>light of a diffuser on {kind} cannot be computed; use a plane or a far field</source>
+            <translation>la lumière d'un diffuseur sur {kind} ne peut pas être calculée ; utiliser un plan ou un champ lointain</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />

@@ -1,13 +1,16 @@
 """Kernels of diffusers, against their closed form and the random rays of the independent check."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tests.diffusers import with_diffuser
+from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.interfaces import ScatterBoundary
+from workbench.errors import Refused
 from workbench.extended.blurring import near
 from workbench.extended.bound import Bound
 from workbench.extended.deblur import spread_light, wanted_light
@@ -118,6 +121,14 @@ def test_no_bound_is_known_behind_a_diffuser():
     bound = Bound(_scene(), np.ones((40, 40)))
     assert bound.sentences[0].startswith("No bound is known for a train")
     assert bound.to_data()["relative_l2_bound"] is None
+
+
+@pytest.mark.parametrize("use", [scattering_of, picture_of])
+def test_a_receiver_of_another_kind_is_refused(use):
+    scene = _scene()
+    image = scene.images[0].model_copy(update={"receiver": SimpleNamespace(kind="dome")})
+    with pytest.raises(Refused, match=r"dome.* use a plane or a far field"):
+        use(scene.model_copy(update={"images": (image,)}))
 
 
 def test_light_wanted_before_a_diffuser_is_sharper_than_the_target():

@@ -1,5 +1,6 @@
 """The dock Manufacture: computed only while it is visible and the design rests."""
 
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -12,11 +13,12 @@ from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
 from ui.widgets.controls import SideBySide
 from ui.words import later, tr
-from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
+from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacturing, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.arrays import Array
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
+from workbench.progress import finished, of_equal, within
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -106,6 +108,7 @@ class ManufacturePane(ComputingView):
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
         self._background = Background(later("analysis of the face"), self)
+        self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._store_found)
         self._background.failed.connect(figures.show_remark)
         self._fields.changed.connect(self.map.show_limits)
@@ -127,12 +130,11 @@ class ManufacturePane(ComputingView):
         self._show_veil()
         if self._frame is None:
             return
-        if self._known:
-            self._figures.show_remark("")
-            return
-        if self._found is not None:
-            self._figures.show_remark(tr("Outdated; recomputed when the design rests."))
-        if self._seen():
+        outdated = self._is_behind()
+        self._figures.show_remark(
+            tr("Outdated; recomputed when the design rests.") if outdated else ""
+        )
+        if not self._known and self._seen():
             self._compute_soon()
 
     @property
@@ -156,9 +158,20 @@ class ManufacturePane(ComputingView):
                 for optic in optics
                 for face in freeform_nets(optic)
             }
-            return _Found(frame, {each.name: manufacture(each, heights) for each in optics}, maps)
+            figures = {}
+            for number, optic in enumerate(optics):
+                steps = within(
+                    manufacturing(optic, heights), partial(of_equal, len(optics), number)
+                )
+                figures[optic.name] = finished(steps, task.report)
+            return _Found(frame, figures, maps)
 
         self._background.begin(work)
+
+    def _show_progress(self, _: None, done: float) -> None:
+        self._figures.show_remark(
+            tr("Computing the figures: {percent} %").format(percent=round(100 * done))
+        )
 
     def _store_found(self, _: None, found: _Found) -> None:
         if self._frame is None:

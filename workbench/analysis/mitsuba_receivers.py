@@ -9,7 +9,9 @@ from scipy.sparse import csr_array
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.messages import Message
 from workbench.scene import AnyReceiver, FarField, Scene, Screen
+from workbench.scene.part import row_of
 
 # How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
 # apart by twice as small an angle, 2e-6 radians or 0.0001 degrees.
@@ -51,9 +53,15 @@ def picture_of(scene: Scene) -> Picture:
     Raises
     ------
     Refused
-        If pixels of a screen are not square, or a far field goes too far to the side.
+        If pixels of a screen are not square, a far field goes too far to the side, or Mitsuba has
+        no camera for receivers of this kind.
     """
-    return _PICTURES[type(scene.receiver)](scene.receiver, scene)
+    if not isinstance(scene.receiver, tuple(_PICTURES)):
+        unknown = Message(
+            "Mitsuba has no camera for {kind}; use a plane or a far field", kind=scene.receiver.kind
+        )
+        raise Refused("images[0].receiver.kind", unknown)
+    return row_of(_PICTURES, scene.receiver)(scene.receiver, scene)
 
 
 def _of_screen(screen: Screen, scene: Scene) -> Picture:

@@ -13,10 +13,11 @@ from collections.abc import Callable
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.errors import Refused
 from workbench.extended.blurring import ImageBlur, powers
 from workbench.extended.scatter_kernels import ScatteredRays, across, directions_in_far_field
 from workbench.messages import Message
-from workbench.scene import Scene, Screen
+from workbench.scene import FarField, Scene, Screen
 
 # The degree of polynomials that describe changes of kernels; they are computed for as many places
 # along each axis and one more, as far from the middle of the receiver as this in its half-extents.
@@ -40,11 +41,18 @@ def scattering_of(scene: Scene, directions: Directions | None = None) -> ImageBl
     """Return the blur of a scene's diffuser; None without one.
 
     `scene`: the design task, with one image; `directions`: of light that comes to a plane behind a
-    Gaussian diffuser; by default all of it comes from the middle of the element before it.
+    Gaussian diffuser; by default all of it comes from the middle of the element before it. Raises
+    `Refused` on a receiver of another kind than a plane or a far field.
     """
     diffuser, receiver = scene.diffuser, scene.receiver
     if diffuser is None:
         return None
+    if not isinstance(receiver, Screen | FarField):
+        unknown = Message(
+            "light of a diffuser on {kind} cannot be computed; use a plane or a far field",
+            kind=receiver.kind,
+        )
+        raise Refused("images[0].receiver.kind", unknown)
     onwards = scene.onwards(receiver)
     about_ray = diffuser.scatter.about_ray
     degree = _DEGREE if about_ray else 0

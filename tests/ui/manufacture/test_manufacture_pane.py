@@ -83,7 +83,7 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     assert states(pane)["tool_radius"] == "✗ exceeded"
 
 
-def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch, qtbot):
+def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, qtbot):
     pane.allow(resting=False)
     pane.show_frame(bowl(0.1))
     assert "Outdated" in pane._figures.note.text()
@@ -91,8 +91,11 @@ def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch,
     qtbot.wait(400)
     before = pane._figures.found["steepest"].text()
     assert not pane._background.busy and not pane._rest.isActive()
+    notes = []
+    pane._background.progressed.connect(lambda *_: notes.append(pane._figures.note.text()))
     pane.allow(resting=True)
     qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before)
+    assert notes == [f"Computing the figures: {percent} %" for percent in (5, 35, 100)]
     assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
 
 
