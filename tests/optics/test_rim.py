@@ -30,17 +30,17 @@ def lit(shear=0.0, grids=1):
     return torch.cat([nodes] * grids, 1), splits_side_by_side(along_u, along_v, grids)
 
 
-def cut(nodes, room):
+def cut(nodes, rim_distance):
     """The same with rays beside the rim lost."""
-    beside = room < 0
+    beside = rim_distance < 0
     nodes = torch.where(beside, torch.tensor([torch.inf, torch.inf, 0.0])[:, None, None], nodes)
-    return nodes, torch.where(beside, -1.0, room)
+    return nodes, torch.where(beside, -1.0, rim_distance)
 
 
-def whole(nodes, room, splits, draw=beam_image):
+def whole(nodes, rim_distance, splits, draw=beam_image):
     """The image of all cells, cut or not, and all flux that lands."""
     image, landed = draw(nodes, PIXELS, splits)
-    rim = rim_light(nodes, room, PIXELS, splits, triangles=draw is beam_image)
+    rim = rim_light(nodes, rim_distance, PIXELS, splits, triangles=draw is beam_image)
     return image + rim.flux, landed + rim.landed
 
 
@@ -61,14 +61,14 @@ def test_light_ends_at_a_straight_rim(at, grids, draw):
 
 def test_gradients_are_those_of_central_differences(rng):
     nodes, splits = lit(shear=0.3)
-    room = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
-    beside = room < 0
+    rim_distance = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
+    beside = rim_distance < 0
     weights = torch.tensor(rng.normal(size=PIXELS[::-1]))
-    offset = 0.05 * torch.tensor(rng.normal(size=(4, *room.shape)))
-    way = torch.tensor(rng.normal(size=(4, *room.shape))) * ~beside
+    offset = 0.05 * torch.tensor(rng.normal(size=(4, *rim_distance.shape)))
+    way = torch.tensor(rng.normal(size=(4, *rim_distance.shape))) * ~beside
 
     def value(moved):
-        given, within = cut(nodes + moved[:3], torch.where(beside, -1.0, room + moved[3]))
+        given, within = cut(nodes + moved[:3], torch.where(beside, -1.0, rim_distance + moved[3]))
         return (rim_light(given, within, PIXELS, splits).flux * weights).sum()
 
     start = torch.where(beside, 0.0, offset.abs())

@@ -141,7 +141,7 @@ class BeamPlan:
         found, splits = tracer.nodes(heights), tracer.splits
         if self._of_source is not None:
             found, splits = between_origins(found, self._of_source, tracer.mirrored)
-        hits, account, room = found
+        hits, account, rim_distance = found
         del found  # or there are three arrays of all rays at the same time
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         wide, nodes, lost = (n_x + 2 * m_x, n_y + 2 * m_y), hits, dict(account.lost)
@@ -150,13 +150,13 @@ class BeamPlan:
         drawn = box_image if self.boxes else beam_image
         image, landed = drawn(nodes, wide, splits, self._fused)
         cut = 0.0
-        if room is not None:
-            rim = rim_light(nodes, room, wide, splits, self._fused, not self.boxes)
+        if rim_distance is not None:
+            rim = rim_light(nodes, rim_distance, wide, splits, self._fused, not self.boxes)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         # Of all rays that are refracted, what is neither drawn nor cut is in split cells.
         copies = 2 ** sum(tracer.mirrored)
         if account.on_screen - copies * (landed + cut) > _SPLIT:
-            more, lands = split_light(nodes, room, wide, splits, triangles=not self.boxes)
+            more, lands = split_light(nodes, rim_distance, wide, splits, triangles=not self.boxes)
             image, landed = image + more, landed + lands
         for axis in (0, 1):
             if tracer.mirrored[axis]:

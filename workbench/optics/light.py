@@ -43,7 +43,7 @@ class Nodes(NamedTuple):
     account: Account
     # (n, m), distance within the rim of the last face, see `workbench.optics.images.rim`; where it
     # may cut cells.
-    room: Tensor | None = None
+    rim_distance: Tensor | None = None
 
 
 class BeamTracer(Protocol):

@@ -92,7 +92,7 @@ class Arrival(NamedTuple):
         The rays behind the last face; their flux is differentiable.
     lost : dict of str to Tensor
         Flux lost on the way, by its name in the light account: scalars in float64, no gradient.
-    room : Tensor, optional
+    rim_distance : Tensor, optional
         How far within the rim of the last face the rays meet it; see `workbench.optics.images.rim`.
     """
 
@@ -100,4 +100,4 @@ class Arrival(NamedTuple):
     row: Tensor
     rays: RayBundle
     lost: dict[str, Tensor]
-    room: Tensor | None = None
+    rim_distance: Tensor | None = None

@@ -57,12 +57,12 @@ class Reference:
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        column, row, rays, lost, room = self.arrival(heights)
+        column, row, rays, lost, rim_distance = self.arrival(heights)
         parts = column, row, rays.flux
         nodes = torch.stack([part.expand(rays.flux.shape).T for part in parts])
         left = rays.flux.detach().sum(dtype=torch.float64).item()
         account = Account(left, {name: flux.item() for name, flux in lost.items()})
-        return Nodes(nodes, account, None if room is None else room.T)
+        return Nodes(nodes, account, None if rim_distance is None else rim_distance.T)
 
     @property
     def splits(self) -> tuple[Array, Array]:

@@ -41,8 +41,8 @@ class RimLight(NamedTuple):
 class _Cells(NamedTuple):
     """Cells between rays that leave beside the rim and rays that are refracted."""
 
-    # (3, cells, 2, 2), columns, rows and room of the corners; first along the first axis of the
-    # nodes.
+    # (3, cells, 2, 2), columns, rows and rim distances of the corners; first along the first axis
+    # of the nodes.
     values: Tensor
     # (cells,), flux of whole cells; 0 where too few corners are known to carry on from.
     whole: Tensor
@@ -53,18 +53,19 @@ class _Cells(NamedTuple):
 
 def rim_light(
     nodes: Tensor,
-    room: Tensor,
+    rim_distance: Tensor,
     pixels: tuple[int, int],
     splits: Splits,
     fused: bool = True,
     triangles: bool = True,
 ) -> RimLight:
-    """Light of the cells that an image of beams or of boxes leaves out for their room.
+    """Light of the cells that an image of beams or of boxes leaves out: those that a rim cuts.
 
-    `room` (n, m): of the nodes; `triangles`: whether triangles between three rays within the rim
-    are in the image already, as with beams; of boxes all four rays are.
+    `rim_distance` (n, m): how far the nodes are within the rim; `triangles`: whether triangles
+    between three rays within the rim are in the image already, as with beams; of boxes all four
+    rays are.
     """
-    cells = _cells(nodes, room, splits)
+    cells = _cells(nodes, rim_distance, splits)
     turns = torch.where(
         cells.even[:, None, None],
         torch.tensor(_EVEN, device=nodes.device),
@@ -91,25 +92,27 @@ def rim_light(
     return RimLight(image.view(n_y, n_x).to(nodes.dtype), landed, counted)
 
 
-def _cells(nodes: Tensor, room: Tensor, splits: Splits) -> _Cells:
+def _cells(nodes: Tensor, rim_distance: Tensor, splits: Splits) -> _Cells:
     """Cells to be cut; of their corners beside the rim what follows from those within."""
     each = repeated(splits[1], nodes.shape[1]), splits[0]
     along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
-    i, j = _beside_the_rim(room.detach() < 0)
+    i, j = _beside_the_rim(rim_distance.detach() < 0)
     # Nodes of a cell and those around it, 4 × 4.
-    (n, m), offsets = room.shape, torch.arange(-1, 3, device=nodes.device)
+    (n, m), offsets = rim_distance.shape, torch.arange(-1, 3, device=nodes.device)
     rows, columns = (i[:, None] + offsets)[:, :, None], (j[:, None] + offsets)[:, None, :]
     there = (rows >= 0) & (rows < n) & (columns >= 0) & (columns < m)
     rows, columns = rows.clamp(0, n - 1), columns.clamp(0, m - 1)
     first = first_lines(along_u)
     there = there & (first[rows] == first[i][:, None, None])
     at = rows * m + columns
-    column, row, lit, known_room = (_taken(part, at).double() for part in (*nodes, room))
-    known = torch.stack([column, row, known_room])
+    column, row, lit, known_distance = (
+        _taken(part, at).double() for part in (*nodes, rim_distance)
+    )
+    known = torch.stack([column, row, known_distance])
     within = there & (known[:2].abs() < FARTHEST).all(0) & (known[2] >= 0)
     values, complete = _carried_on(torch.where(within, known, 0.0), within)
     inner = within[:, 1:3, 1:3]
-    beside = known_room[:, 1:3, 1:3] < 0
+    beside = known_distance[:, 1:3, 1:3] < 0
     parts_u = torch.stack([along_u[i, 1], along_u[i + 1, 0]], 1)[:, :, None]
     parts_v = torch.stack([along_v[j, 1], along_v[j + 1, 0]], 1)[:, None, :]
     flux = torch.where(inner, lit[:, 1:3, 1:3] * parts_u * parts_v, 0.0).sum((1, 2))
@@ -159,17 +162,17 @@ def _carried_on(known: Tensor, within: Tensor) -> tuple[Tensor, Tensor]:
 
 
 def _cut(corners: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
-    """Parts of triangles where the room is not negative.
+    """Parts of triangles within the rim.
 
-    `corners` (3, triangles, 3): columns, rows and room.
+    `corners` (3, triangles, 3): columns, rows and distances within the rim.
     """
-    room = corners[2]
-    unit = corners.new_tensor(_UNIT)[:, None, :].expand(-1, room.shape[0], -1)
+    distance = corners[2]
+    unit = corners.new_tensor(_UNIT)[:, None, :].expand(-1, distance.shape[0], -1)
     here = torch.cat([corners[:2], unit])
-    there, next_room = here.roll(-1, 2), room.roll(-1, 1)
-    inside, next_inside = room >= 0, next_room >= 0
+    there, next_distance = here.roll(-1, 2), distance.roll(-1, 1)
+    inside, next_inside = distance >= 0, next_distance >= 0
     crosses = inside != next_inside
-    way = torch.where(crosses, room / torch.where(crosses, room - next_room, 1.0), 0.0)
+    way = torch.where(crosses, distance / torch.where(crosses, distance - next_distance, 1.0), 0.0)
     crossing = here + way * (there - here)
     begin = torch.where(inside, here, crossing)
     end = torch.where(next_inside, there, crossing)
@@ -191,17 +194,21 @@ _EVEN_CORNERS, _ODD_CORNERS = ((0, 1, 2), (0, 2, 3)), ((0, 1, 3), (1, 2, 3))
 
 
 def split_light(
-    nodes: Tensor, room: Tensor | None, pixels: tuple[int, int], splits: Splits, triangles: bool
+    nodes: Tensor,
+    rim_distance: Tensor | None,
+    pixels: tuple[int, int],
+    splits: Splits,
+    triangles: bool,
 ) -> tuple[Tensor, float]:
     """Light of split cells, corner by corner.
 
-    `room` (n, m): see `rim_light`; cells that it cuts are drawn there; `triangles`:
+    `rim_distance` (n, m): see `rim_light`; cells that it cuts are drawn there; `triangles`:
     whether triangles between three corners that land are in the image already, as with beams; of
     boxes all four corners are. Returns (n_y, n_x): flux in each pixel, row 0 at the top, without
     gradients; and all of it, on the image or beside it.
     """
     with torch.no_grad():
-        lands, (i, j) = _split_cells(nodes, room)
+        lands, (i, j) = _split_cells(nodes, rim_distance)
         along_v = torch.as_tensor(splits[0], device=nodes.device)
         along_u = torch.as_tensor(repeated(splits[1], nodes.shape[1]), device=nodes.device)
         before_u, behind_u = along_u[i, 1], along_u[i + 1, 0]
@@ -223,13 +230,15 @@ def split_light(
         return _spread(column, row, light, pixels).to(nodes.dtype), light.sum().item()
 
 
-def _split_cells(nodes: Tensor, room: Tensor | None) -> tuple[Tensor, tuple[Tensor, Tensor]]:
+def _split_cells(
+    nodes: Tensor, rim_distance: Tensor | None
+) -> tuple[Tensor, tuple[Tensor, Tensor]]:
     """Which corners of split cells land, shape (4, cells), and the numbers of the cells."""
     hits = nodes[:2].isfinite().all(0)
     corners = _corners(hits)
     split = corners.any(0) & ~corners.all(0)
-    if room is not None:
-        beside = _corners(room < 0)
+    if rim_distance is not None:
+        beside = _corners(rim_distance < 0)
         split &= ~(beside.any(0) & (corners | beside).all(0))
     i, j = split.nonzero().unbind(1)
     return corners[:, i, j], (i, j)

@@ -40,10 +40,10 @@ def between_origins(
 ) -> tuple[Nodes, Splits]:
     """The nodes of all origins as grids of a few origins, one for each sample.
 
-    `nodes`: hits and room have the rows of samples of one origin after the other, origins row by
-    row; `cells`: cells of the source along x and y; `mirrored`: whether nodes are those of one half
-    of the source in x, in y, its middle included. Returns rows of the origins of one sample after
-    the other; and what `workbench.optics.images.beams.beam_image` takes for them.
+    `nodes`: hits and distances have the rows of samples of one origin after the other, origins row
+    by row; `cells`: cells of the source along x and y; `mirrored`: whether nodes are those of one
+    half of the source in x, in y, its middle included. Returns rows of the origins of one sample
+    after the other; and what `workbench.optics.images.beams.beam_image` takes for them.
     """
     c_x, c_y = _cells(cells, mirrored)
     across, up = (places(Corners(c_x, c_y), axis).split for axis in (0, 1))
@@ -51,8 +51,8 @@ def between_origins(
     def turned(values: Tensor) -> Tensor:
         return _grids(values, (c_x, c_y)).reshape(len(values), -1, len(across))
 
-    room = None if nodes.room is None else turned(nodes.room[None])[0]
-    return nodes._replace(hits=turned(nodes.hits), room=room), (across, up)
+    rim_distance = None if nodes.rim_distance is None else turned(nodes.rim_distance[None])[0]
+    return nodes._replace(hits=turned(nodes.hits), rim_distance=rim_distance), (across, up)
 
 
 def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool]) -> float:

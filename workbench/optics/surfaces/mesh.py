@@ -62,7 +62,7 @@ class TriangleMesh:
         """Heights of the vertices, shape ((cells_x + 1)(cells_y + 1),)."""
         return (self._along_x @ heights @ self._along_y).flatten()
 
-    def floors(self, heights: Tensor) -> Tensor:
+    def lower_bounds(self, heights: Tensor) -> Tensor:
         """Lowest control height that bears on each knot span, shape (spans_x spans_y,)."""
         p, q = self._support
         return heights.unfold(0, p, 1).amin(-1).unfold(1, q, 1).amin(-1).flatten()
@@ -170,7 +170,7 @@ class MeshIntersection:
     def _rise(self, heights: Tensor) -> tuple[Tensor, Tensor]:
         """Phase 1: height up to which boxes let each ray pass, and whether it stays inside."""
         n_x, n_y = self._mesh.spans
-        floors = self._mesh.floors(heights)
+        lowest = self._mesh.lower_bounds(heights)
         height = torch.full_like(self._side, heights.min().item())
         inside = self._side >= height
         rays = inside.nonzero().squeeze(1)
@@ -179,11 +179,11 @@ class MeshIntersection:
         for _ in range(n_x + n_y + 1):
             if not len(rays):
                 break
-            floor = floors[k.long() * n_y + m.long()]
+            low = lowest[k.long() * n_y + m.long()]
             leaves_x, leaves_y = walk.leaves(k, m)
             leaves = torch.maximum(torch.minimum(leaves_x, leaves_y), t)
-            goes_on = floor > leaves
-            height[rays] = torch.where(goes_on, leaves, torch.maximum(floor, t))
+            goes_on = low > leaves
+            height[rays] = torch.where(goes_on, leaves, torch.maximum(low, t))
             across = leaves_x <= leaves_y
             k = torch.where(across, k + walk.b_x.sign(), k)
             m = torch.where(across, m, m + walk.b_y.sign())
