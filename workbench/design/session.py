@@ -127,9 +127,9 @@ class KeptRun:
             )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Session:
-    """A design task, and the lens found for it.
+    """A design task, and the lens found for it; `dataclasses.replace` makes a changed one.
 
     Attributes
     ----------
@@ -180,7 +180,7 @@ class Session:
             there = (
                 None if self.heights is None else self.heights[self.scene.optic.designed_face].shape
             )
-            object.__setattr__(self, "scene", _on_net(self.scene, self.target, there))
+            self.scene = _on_net(self.scene, self.target, there)
 
     @property
     def heights(self) -> ControlHeights | None:

@@ -5,8 +5,7 @@ an element finds it. Dock, report, figures and files take all they say of it fro
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Self
+from typing import NamedTuple, Self
 
 from workbench.messages import Message
 from workbench.scene import AnyReceiver, Diffuser, Lens, Mirror, Scene
@@ -77,10 +76,7 @@ class UnbalancedAccount(Exception):
         super().__init__(f"the light account does not add up: {figures}")
 
 
-@dataclass(frozen=True)
-class Account:
-    """Where the emitted flux went; ``on_screen`` and all losses add up to ``emitted``."""
-
+class _Parts(NamedTuple):
     # Flux of rays that hit the screen. A reconstruction filter spreads some of it over the rim; the
     # account is of rays.
     on_screen: float
@@ -90,22 +86,13 @@ class Account:
     lost: Mapping[str, float]
     emitted: float = 1.0  # flux of the source
 
-    def __post_init__(self) -> None:
-        kinds, elements = list(LOSSES), [""]
-        for key in self.lost:
-            kind, element = kind_and_element(key)
-            if kind not in LOSSES:
-                raise KeyError(f"{kind} is not in LOSSES")
-            if element not in elements:
-                elements.append(element)
-        always = LOSSES if len(elements) == 1 else _AT_RECEIVERS
-        lost = {kind: 0.0 for kind, loss in always.items() if loss.always} | dict(self.lost)
 
-        def place(key: str) -> tuple[int, int]:
-            kind, element = kind_and_element(key)
-            return elements.index(element), kinds.index(kind)
+class Account(_Parts):
+    """Where the emitted flux went; ``on_screen`` and all losses add up to ``emitted``."""
 
-        object.__setattr__(self, "lost", {key: lost[key] for key in sorted(lost, key=place)})
+    def __new__(cls, on_screen: float, lost: Mapping[str, float], emitted: float = 1.0) -> Self:
+        """Complete the losses and put them in order."""
+        return super().__new__(cls, on_screen, _in_order(lost), emitted)
 
     @classmethod
     def from_data(cls, data: Mapping[str, float]) -> Self:
@@ -142,7 +129,7 @@ class Account:
             return self
         scale = self.emitted / counted
         settled = {name: max(flux, 0.0) * scale for name, flux in parts.items()}
-        return replace(self, on_screen=settled.pop("on_screen"), lost=settled)
+        return self._replace(on_screen=settled.pop("on_screen"), lost=settled)
 
     def parts_in(self, scene: Scene) -> Mapping[str, float]:
         """Flux on the receiver, and of each loss that there can be in a scene, by name."""
@@ -172,3 +159,21 @@ class Account:
     def to_data(self) -> dict[str, float]:
         """All its flux by name, for JSON."""
         return {"emitted": self.emitted, "on_screen": self.on_screen, **self.lost}
+
+
+def _in_order(given: Mapping[str, float]) -> Mapping[str, float]:
+    kinds, elements = list(LOSSES), [""]
+    for key in given:
+        kind, element = kind_and_element(key)
+        if kind not in LOSSES:
+            raise KeyError(f"{kind} is not in LOSSES")
+        if element not in elements:
+            elements.append(element)
+    always = LOSSES if len(elements) == 1 else _AT_RECEIVERS
+    lost = {kind: 0.0 for kind, loss in always.items() if loss.always} | dict(given)
+
+    def place(key: str) -> tuple[int, int]:
+        kind, element = kind_and_element(key)
+        return elements.index(element), kinds.index(kind)
+
+    return {key: lost[key] for key in sorted(lost, key=place)}
