@@ -5791,8 +5791,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What the element is called; letters, digits, - and _.</source>
-            <translation>Wie das Element heißt; Buchstaben, Ziffern, - und _.</translation>
+            <source>Name of the element; letters, digits, - and _.</source>
+            <translation>Name des Elements; Buchstaben, Ziffern, - und _.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6616,8 +6616,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What figures of the region are called.</source>
-            <translation>Wie Zahlen des Ausschnitts heißen.</translation>
+            <source>Name of the region in its figures.</source>
+            <translation>Name des Ausschnitts bei seinen Zahlen.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -8846,8 +8846,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it says to be of version {found!r}; known are {known}</source>
-            <translation>sie nennt als Version {found!r}; bekannt sind {known}</translation>
+            <source>its version is {found!r}; known are {known}</source>
+            <translation>ihre Version ist {found!r}; bekannt sind {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />

@@ -5791,8 +5791,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What the element is called; letters, digits, - and _.</source>
-            <translation>Le nom de l'élément ; lettres, chiffres, - et _.</translation>
+            <source>Name of the element; letters, digits, - and _.</source>
+            <translation>Nom de l'élément ; lettres, chiffres, - et _.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6616,8 +6616,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What figures of the region are called.</source>
-            <translation>Le nom des chiffres de la région.</translation>
+            <source>Name of the region in its figures.</source>
+            <translation>Nom de la région dans ses valeurs.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -8846,8 +8846,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it says to be of version {found!r}; known are {known}</source>
-            <translation>il indique la version {found!r} ; sont connues : {known}</translation>
+            <source>its version is {found!r}; known are {known}</source>
+            <translation>sa version est {found!r} ; connues : {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />

@@ -42,7 +42,7 @@ class Element(Standing, Part):
         str,
         about(
             "Name",
-            "What the element is called; letters, digits, - and _.",
+            "Name of the element; letters, digits, - and _.",
             pattern=r"^[A-Za-z0-9_-]{1,40}$",
         ),
     ]

@@ -218,7 +218,7 @@ class AnyRegion(Part):
 
     name: Annotated[
         str,
-        about("Name", "What figures of the region are called.", min_length=1, max_length=40),
+        about("Name", "Name of the region in its figures.", min_length=1, max_length=40),
     ] = "Region"
 
     @property

@@ -65,7 +65,7 @@ def _year(first: str) -> int:
     if known is None or year not in (str(known), str(known)[2:]):
         raise ValueError(
             Message(
-                "it says to be of version {found!r}; known are {known}",
+                "its version is {found!r}; known are {known}",
                 found=first[:30],
                 known=", ".join(f"LM-63-{each}" for each in _YEARS.values()),
             )
