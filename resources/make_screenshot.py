@@ -45,11 +45,15 @@ def open_window(example: str, size: QSize) -> MainWindow:
 
 
 def design(window: MainWindow) -> None:
-    """Run the design to its end."""
+    """Run the design and the check of its lens to their ends."""
     assert window.loaded is not None
+    control, check = window.loaded.control, window.loaded.runs.check
     done = QEventLoop()
-    window.loaded.control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
+    control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
     window.start()
+    done.exec()
+    for outcome in (check.checked, check.failed):
+        outcome.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
     done.exec()
     settle()
 

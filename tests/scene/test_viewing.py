@@ -56,7 +56,7 @@ def scene_of(place, folder, **target):
 
 
 def seen(scene, light, side):
-    """An image as it looks on the picture of a camera beside the optic, or beyond the receiver."""
+    """An image in the picture of a camera beside the element, or beyond the receiver."""
     receiver, (n_y, n_x) = scene.receiver, light.shape
     left, right, bottom, top = receiver.bounds
     u = left + (right - left) * (np.arange(n_x) + 0.5) / n_x

@@ -35,7 +35,7 @@ class Case(NamedTuple):
     Attributes
     ----------
     data : dict
-        The scene as plain data, the larger half-width of the optic 1.
+        The scene as plain data, the larger half-width of the element 1.
     unit : int
         All lengths are to be multiplied by 2 to this.
     face : str

@@ -1,4 +1,4 @@
-"""Shaping an optic by hand: a brush raises or lowers control points of one of its faces."""
+"""Shaping an element by hand: a brush raises or lowers control points of one of its faces."""
 
 import numpy as np
 
@@ -50,8 +50,8 @@ def resized(net: ControlNet, radius: float, steps: int) -> float:
 class Stroke:
     """One movement of the brush along z.
 
-    Heights stay in the range that the optic allows, which keeps its minimal thickness as well (see
-    `HeightLimits`); locked control points stay where they are.
+    Heights stay in the range that the element allows, which keeps its minimal thickness as well
+    (see `HeightLimits`); locked control points stay where they are.
 
     `optic`: the lens or mirror; `face`: the name of the face that is shaped; `heights` (n_u, n_v):
     its control heights before, scene units; `locked` (n_u, n_v): control points that stay; `index`:

@@ -47,7 +47,7 @@ class HeightLimits:
 
     @classmethod
     def of_faces(cls, optic: Element) -> dict[str, "HeightLimits"]:
-        """The limits of each freeform face of an optic, by its name, on its own net.
+        """The limits of each freeform face of an element, by its name, on its own net.
 
         By the convex-hull property each face stays between its limits everywhere, and all of the
         entrance face's are below those of the exit face by the minimal thickness.
@@ -90,7 +90,7 @@ class HeightLimits:
 
     @classmethod
     def of(cls, optic: Element, net: ControlNet) -> "HeightLimits":
-        """The limits that an optic sets on a control net of the face that the task shapes."""
+        """The limits that an element sets on a control net of the face that the task shapes."""
         x, y = net.positions
         lower, upper = optic.limits_at(x[:, None], y[None, :])
         middle = optic.base.height_at(x[:, None], y[None, :])
@@ -164,7 +164,7 @@ class HeightLimits:
 
 
 def undesigned(optic: Element) -> ControlHeights:
-    """Control heights of an optic before any design, scene units."""
+    """Control heights of an element before any design, scene units."""
     limits = HeightLimits.of_faces(optic)
     return FaceArrays({face: each.undesigned for face, each in limits.items()})
 
@@ -174,7 +174,7 @@ CLOSEST = 0.95
 
 
 def bounded(scene: Scene, part: float = _USUAL) -> Element:
-    """Return the optic of a scene with all that limits its heights; see `Element.bounded`."""
+    """Return the element of a scene with all that limits its heights; see `Element.bounded`."""
     alone = scene.alone
     optic = alone.optic
     ends = [receiver.nearest_to(optic) for receiver in alone.receivers]

@@ -36,7 +36,7 @@ from workbench.optics.sources import emitter_of
 from workbench.scene import AutoNet, Scene
 from workbench.scene.run import refused_in_stage
 
-# Places of the optic along each axis at which its source has to shine somewhere.
+# Places of the element along each axis at which its source has to shine somewhere.
 _LOOKED_AT = 65
 _FULL_CARD = Message(
     "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
@@ -189,7 +189,7 @@ def check_stages(
 
 
 def _check_lit(part: Scene) -> None:
-    """Refuse a source that shines away from the optic, as a lamp that is turned around."""
+    """Refuse a source that shines away from the element, as a lamp that is turned around."""
     places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
     source, first = part.entrance
     r_x, r_y = first.half_width

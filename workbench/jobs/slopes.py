@@ -42,7 +42,7 @@ def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None =
     """
     (wide, high), scene = scene.receiver.half_extent, scene.alone
     optic, receiver = scene.optic, scene.receiver
-    r_u, r_v = receiver.half_extent  # as the optic sees it
+    r_u, r_v = receiver.half_extent  # as the element sees it
     steps = np.linspace(-1, 1, _POINTS)
     x, y = np.meshgrid(*(half * steps for half in optic.half_width), indexing="ij")
     left, right, bottom, top = receiver.bounds

@@ -46,7 +46,7 @@ class Path:
 
     `steps`: faces in the order in which light meets them, each along +z of its frame; `receiver`:
     where the light is wanted; `datum`: from which the elements count z: near the face, so that
-    float32 keeps the digits that make its shape; `outline`: of the optic; and of the aperture
+    float32 keeps the digits that make its shape; `outline`: of the element; and of the aperture
     before it, which all of its light passes; `seed`: of the source's rays; `dtype`, `device`: float
     type and device of the walk; `front_z`: z of the source where that aperture is; the datum by
     default; `source`: where coordinates of the source stand in the scene; they are those of the

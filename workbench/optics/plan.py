@@ -46,7 +46,7 @@ def precision_of(scene: Scene, net: ControlNet | None = None) -> torch.dtype:
 
 
 def nearly_touches(scene: Scene) -> bool:
-    """Whether a source is so near before the optic that float32 does not know its light there."""
+    """Whether a source is so near before the element that float32 does not know its light there."""
     optic = scene.optic
     _, high = _extent(optic)
     distance = optic.front_z - scene.source.nearest_z

@@ -202,7 +202,7 @@ _RECEIVERS: Mapping[type, Callable[[Any, Element, float, int], Receiver]] = {
 
 
 def receiver_of(part: AnyReceiver, optic: Element, datum: float, onwards: int) -> Receiver:
-    """The element on which light makes an image; lit by an optic; z is counted from a datum.
+    """The element on which light makes an image; lit by an element; z is counted from a datum.
 
     ``onwards`` is 1 for light that comes along +z of the receiver's own coordinates, −1 for light
     that comes against it.

@@ -149,7 +149,7 @@ class LightOfPoints(PlacedSource):
         return self.intersection.subdivisions
 
     def check_before(self, optic: Element) -> None:
-        """Refuse an optic that is not behind it, or too near, too far or too fine."""
+        """Refuse an element that is not behind it, or too near, too far or too fine."""
         check_place("source.position", self.position, optic)
         self.intersection.check_for(optic)
 

@@ -134,17 +134,17 @@ class AnyReceiver(Part):
     def towards(
         self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
-        """Unit vectors from places (x, y, z) of an optic to places on it; three arrays."""
+        """Unit vectors from places (x, y, z) of an element to places on it; three arrays."""
 
     def perspective(self, optic: "Element") -> Array:
-        """What takes (u, v, 1) to a multiple of (x, y, 1) as an optic sees it, shape (3, 3).
+        """What takes (u, v, 1) to a multiple of (x, y, 1) as an element sees it, shape (3, 3).
 
         On a plane across the axis, in any scale; for one that does not lean its own coordinates.
         """
         return np.eye(3)
 
     def slant(self, optic: "Element") -> float:
-        """The largest angle between light of an optic and what is across the receiver, degrees."""
+        """The largest angle between light of an element and the receiver's normal, degrees."""
         return 0.0
 
     @abstractmethod
@@ -162,7 +162,7 @@ class AnyReceiver(Part):
 
     @abstractmethod
     def nearest_to(self, optic: "Element") -> float:
-        """The z at which it comes closest to an optic that lights it, scene units."""
+        """The z at which it comes closest to an element that lights it, scene units."""
 
     @abstractmethod
     def per_radian(self, z: float) -> tuple[float, float]:
@@ -186,7 +186,7 @@ class AnyReceiver(Part):
         """Refuse lengths that are too long beside a lens with these half-widths."""
 
     def check_lit_by(self, optic: "Element") -> None:
-        """Refuse an optic that cannot light it.
+        """Refuse an element that cannot light it.
 
         Raises `Refused` with the path of the field, the value and what is allowed.
         """

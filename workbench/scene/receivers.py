@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 # Light that falls along a plane is taken to meet it this steeply.
 _GRAZING = 1e-3
-# What comes nearer to the plane of the optic than this part of the screen's half diagonal is beside
-# it: perspective on a plane across the axis would be endless.
+# What comes nearer to the plane of the element than this part of the screen's half diagonal is
+# beside it: perspective on a plane across the axis would be endless.
 _BESIDE = 0.1
 # A new screen stands this many half-widths behind the lens, and is seen within so many radians.
 _DISTANCE, _WIDEST = 10.0, 1.3
@@ -172,7 +172,7 @@ class Screen(AnyReceiver):
         return float(density.sum()) * self.pixel_measure
 
     def nearest_to(self, optic: Element) -> float:
-        """The lowest edge; of one below that leans none, as it may be beside the optic."""
+        """The lowest edge; of one below that leans none, as it may be beside the element."""
         if optic.onwards < 0:
             return self.z if self.upright else -math.inf
         (right, up, _), (r_x, r_y) = self.sides, self.half_width
@@ -199,7 +199,7 @@ class Screen(AnyReceiver):
         limits.check_lengths(lengths, half_width, limits.FAR)
 
     def check_lit_by(self, optic: Element) -> None:
-        """Refuse an optic that may touch it, or that is behind it."""
+        """Refuse an element that may touch it, or that is behind it."""
         (r_x, r_y), ends = optic.half_width, (optic.lowest, optic.highest)
         corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), ends)))
         before = optic.onwards * ((self.stands_at - corners) @ self.across) > 0
@@ -236,7 +236,7 @@ class Screen(AnyReceiver):
             )
 
     def _check_below(self, optic: Element) -> None:
-        """Refuse an optic whose light does not go up to it; one that leans may be beside it."""
+        """Refuse an element whose light does not go up to it; one that leans may be beside it."""
         if self.z >= optic.lowest and self.upright:
             raise Refused(
                 "position[2]",
@@ -387,7 +387,7 @@ class FarField(AnyReceiver):
         return degrees / math.cos(math.radians(self.center[1])), degrees
 
     def _direction(self, optic: Element, h: Array, v: Array) -> Array:
-        """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
+        """Unit vectors of angles of light that leaves an element, in degrees, shape (..., 3)."""
         h, v = np.radians(h), np.radians(v)
         onwards = optic.onwards if self.turn is None else 1
         parts = np.broadcast_arrays(

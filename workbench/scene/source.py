@@ -271,12 +271,12 @@ class PlacedSource(AnySource):
         return self.model_copy(update={"position": place})
 
     def check_before(self, optic: Element) -> None:
-        """Refuse an optic that is not behind it, or too near or too far."""
+        """Refuse an element that is not behind it, or too near or too far."""
         check_place("source.position", (*self.position[:2], self.nearest_z), optic)
 
 
 def check_place(path: str, place: Place, optic: Element) -> None:
-    """Refuse light from a place that is not before all of an optic, too near or too far.
+    """Refuse light from a place that is not before all of an element, too near or too far.
 
     Raises `Refused` with its coordinate or its way, and what is possible.
     """

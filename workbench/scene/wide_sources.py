@@ -69,7 +69,7 @@ class WideSource(PlacedSource):
         return 2 * self.half_width[0] * moved_x / way, 2 * self.half_width[1] * moved_y / way
 
     def check_before(self, optic: Element) -> None:
-        """Refuse an optic that is too small beside it."""
+        """Refuse an element that is too small beside it."""
         extent = [(f"source.half_width[{axis}]", r) for axis, r in enumerate(self.half_width)]
         limits.check_lengths(extent, optic.half_width, limits.FARTHEST)
         super().check_before(optic)

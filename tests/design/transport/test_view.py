@@ -1,4 +1,4 @@
-"""The receiver as an optic sees it."""
+"""The receiver as an element sees it."""
 
 import numpy as np
 import pytest

@@ -66,7 +66,7 @@ def make_mirror(rng):
 
 
 def designed(scene, faces, rng, chord_error):
-    """The optic of a scene with control heights of its faces, and light of no meaning."""
+    """The element of a scene with control heights of its faces, and light of no meaning."""
     n_x, n_y = scene.receiver.pixels
     state = LensState(
         heights=FaceArrays({face: np.asarray(heights) for face, heights in faces.items()}),

@@ -1,4 +1,4 @@
-"""Faces that send light to given places on a receiver, found on even cells of the optic."""
+"""Faces that send light to given places on a receiver, found on even cells of the element."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -35,7 +35,7 @@ _BLOCKS = 16
 # Light that leaves a face changes little from one of these cells to the next: each stands for so
 # many along an axis.
 _SHARED = 2
-# In half-widths of the optic: rays that meet the face so near to the middles of cells are theirs.
+# In half-widths of the element: rays that meet the face so near to the middles of cells are theirs.
 _NEAR = 1e-6
 
 

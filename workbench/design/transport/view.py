@@ -1,10 +1,10 @@
-"""The receiver as an optic sees it: in coordinates that light moves along evenly as it is turned.
+"""The receiver as an element sees it: in coordinates that light moves along evenly as it is turned.
 
 Transport with a quadratic cost makes faces that can be exact where the place that light reaches
 moves evenly with the slope of the face. On a screen across the axis it does. On one that leans, the
 same turn moves light much farther at the far edge than at the near one: transport in the screen's
 own coordinates asks for slopes that no one face has. So a leaning screen is seen in perspective,
-from the middle of the optic on a plane across the axis.
+from the middle of the element on a plane across the axis.
 """
 
 import math

@@ -53,8 +53,8 @@ class _Face(NamedTuple):
 def where_lit(corners: Corners, source: Source, optic: Element) -> Corners:
     """Corners of cells where light is.
 
-    `corners`: how many there are; `source`, `optic`: the light, and the optic whose first freeform
-    face is sampled.
+    `corners`: how many there are; `source`, `optic`: the light, and the element whose first
+    freeform face is sampled.
     """
     face = _Face.of(optic)
     if isinstance(source, CollimatedSource):
