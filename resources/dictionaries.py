@@ -84,7 +84,8 @@ def _of_engine() -> Iterator[str]:
     for optic in OPTICS:
         yield from (optic.called, optic.face_called, "entrance face")
     for receiver in RECEIVERS:
-        yield from (receiver.called, receiver.place, receiver.density.capitalize())
+        density = receiver.density
+        yield from (receiver.called, receiver.place, density, density.capitalize())
         for loss in ("on_screen", *LOSSES):
             yield from words_of(loss, receiver)
     seen: set[type[Part]] = set()

@@ -4726,81 +4726,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
-            <source>as designed</source>
-            <translation>wie entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>lenses up to there</source>
-            <translation>Linsen bis dorthin</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>z of the screen</source>
-            <translation>z des Schirms</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>Second minus first</source>
-            <translation>Zweites minus erstes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>The receivers differ: no difference image.</source>
-            <translation>Die Empfänger sind verschieden: kein Differenzbild.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>iteration</source>
-            <translation>Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>distance</source>
-            <translation>Abstand</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>loss</source>
-            <translation>Zielfunktion</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>this run</source>
-            <translation>dieser Lauf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>verified</source>
-            <translation>geprüft</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>irradiance</source>
-            <translation>Bestrahlungsstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>intensity</source>
-            <translation>Strahlstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
             <source>flux / {unit}</source>
             <translation>Fluss / {unit}</translation>
         </message>
@@ -5241,6 +5166,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>irradiance</source>
+            <translation>Bestrahlungsstärke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>On the screen</source>
             <translation>Auf dem Schirm</translation>
         </message>
@@ -5363,6 +5293,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>far field</source>
             <translation>Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>intensity</source>
+            <translation>Strahlstärke</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9258,6 +9193,71 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/comparison.py" />
+            <source>Second minus first</source>
+            <translation>Zweites minus erstes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/comparison.py" />
+            <source>The receivers differ: no difference image.</source>
+            <translation>Die Empfänger sind verschieden: kein Differenzbild.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>z of the screen</source>
+            <translation>z des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>as designed</source>
+            <translation>wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>lenses up to there</source>
+            <translation>Linsen bis dorthin</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>iteration</source>
+            <translation>Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>loss</source>
+            <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>this run</source>
+            <translation>dieser Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>verified</source>
+            <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/section.py" />
+            <source>distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/section.py" />
+            <source>target</source>
+            <translation>Ziel</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />

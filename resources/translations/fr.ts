@@ -4726,81 +4726,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
-            <source>as designed</source>
-            <translation>comme conçu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>lenses up to there</source>
-            <translation>lentilles jusque-là</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>z of the screen</source>
-            <translation>z de l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>Second minus first</source>
-            <translation>Second moins premier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>The receivers differ: no difference image.</source>
-            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>iteration</source>
-            <translation>itération</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>time</source>
-            <translation>temps</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>distance</source>
-            <translation>distance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>loss</source>
-            <translation>coût</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>this run</source>
-            <translation>cette exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>verified</source>
-            <translation>vérifié</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>target</source>
-            <translation>cible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>irradiance</source>
-            <translation>éclairement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>intensity</source>
-            <translation>intensité</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
-            <source>error</source>
-            <translation>erreur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/widgets/figures.py" />
             <source>flux / {unit}</source>
             <translation>flux / {unit}</translation>
         </message>
@@ -5241,6 +5166,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>irradiance</source>
+            <translation>éclairement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>On the screen</source>
             <translation>Sur l'écran</translation>
         </message>
@@ -5363,6 +5293,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>far field</source>
             <translation>champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>intensity</source>
+            <translation>intensité</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9258,6 +9193,71 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>symétrie miroir : la moitié des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/comparison.py" />
+            <source>Second minus first</source>
+            <translation>Second moins premier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/comparison.py" />
+            <source>The receivers differ: no difference image.</source>
+            <translation>Les récepteurs diffèrent : pas d'image de différence.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>z of the screen</source>
+            <translation>z de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>error</source>
+            <translation>erreur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>as designed</source>
+            <translation>comme conçu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>lenses up to there</source>
+            <translation>lentilles jusque-là</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>iteration</source>
+            <translation>itération</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>time</source>
+            <translation>temps</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>loss</source>
+            <translation>coût</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>this run</source>
+            <translation>cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>verified</source>
+            <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/section.py" />
+            <source>distance</source>
+            <translation>distance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/section.py" />
+            <source>target</source>
+            <translation>cible</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />

@@ -156,7 +156,7 @@ def test_receivers_that_cover_different_places_are_not_subtracted(kept):
     )
     assert drawn.difference is None
     assert len(images(figure)) == 2
-    assert "nothing to subtract" in figure.axes[2].texts[0].get_text()
+    assert "no difference image" in figure.axes[2].texts[0].get_text()
     assert drawn.in_words(figure.axes[1], 1.5, 0) == "0.1 / cm² at x = 1.5 cm, y = 0 cm"
 
 

@@ -11,7 +11,7 @@ from matplotlib.text import Text
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from ui.words import later, tr
+from ui.words import tr
 from workbench.pictures.axes import paint
 
 
@@ -37,33 +37,6 @@ class FigureCanvas(FigureCanvasQTAgg):
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self.draw_idle()
 
-
-LABELS = later(
-    (
-        later("iteration"),
-        later("time"),
-        later("distance"),
-        later("loss"),
-        later("this run"),
-        later("verified"),
-        later("target"),
-        later("irradiance"),
-        later("intensity"),
-        later("error"),
-        "as designed",
-        "relative L2 error",
-        "verified error",
-        "lenses up to there",
-        "z of the screen",
-        "Second minus first",
-        "Loss",
-        "The receivers differ: no difference image.",
-    )
-)
-"""What stands at axes, in legends and over pictures, as far as it is no unit and no number.
-
-Words in small letters alone could be names of fields; each is marked by itself.
-"""
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
 _AT = re.compile(r"(.* \(.*\)) at (.*)")

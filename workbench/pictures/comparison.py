@@ -81,7 +81,7 @@ class Comparison:
             colour_bar(axes, image, light.unit.words, extend="max")
             _title(axes, title)
         self._draw_difference(third)
-        _title(fourth, "Loss")
+        _title(fourth, Message("Loss"))
         draw_courses(
             fourth,
             [
@@ -108,10 +108,10 @@ class Comparison:
     def _draw_difference(self, axes: "Axes") -> None:
         one, _ = self.lights
         self._third = axes
-        _title(axes, "Second minus first")
+        _title(axes, Message("Second minus first"))
         if self.difference is None:
             axes.set_axis_off()
-            why = "The receivers cover different places: nothing to subtract."
+            why = Message("The receivers differ: no difference image.")
             at, middle = axes.transAxes, "center"
             axes.text(0.5, 0.5, why, fontsize=FONT, ha=middle, va=middle, transform=at)
             return

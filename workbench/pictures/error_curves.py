@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from workbench.arrays import Array
+from workbench.messages import Message
 from workbench.pictures.axes import FONT, label_curves, set_round_ticks, set_tick_labels
 from workbench.pictures.images import LIGHT, full_scale
 from workbench.scene import Scene
@@ -81,7 +82,8 @@ class FocusCurve:
         self._shown: Sequence[tuple[float, float]] = ()
         axes.set_xlim(*ends)
         axes.set_ylim(0, 1)
-        label_curves(axes, f"z of the screen ({scene.unit})", "error (%)")
+        name = f"{Message('z of the screen')} ({scene.unit})"
+        label_curves(axes, name, f"{Message('error')} (%)")
         set_round_ticks(axes)
 
     def update(self, errors: Sequence[tuple[float, float]], z: float) -> bool:
@@ -101,12 +103,16 @@ def draw_errors(axes: "Axes", nominal: float, errors: Sequence[float]) -> None:
     parts = 100 * np.arange(1, ordered.size + 1) / ordered.size
     start = np.concatenate([ordered[:1], ordered])
     axes.step(start, np.concatenate([[0.0], parts]), where="post", color=_BLUE, linewidth=1.5)
-    axes.axvline(100 * nominal, color=_ORANGE, linestyle="--", linewidth=1.2, label="as designed")
+    axes.axvline(
+        100 * nominal, color=_ORANGE, linestyle="--", linewidth=1.2, label=Message("as designed")
+    )
     for part in (50, 95):
         at = float(np.percentile(ordered, part))
         axes.axvline(at, color=_GREY, linestyle=":", linewidth=1.0, label=f"{part} %: {at:.2f} %")
     axes.set_ylim(0, 100)
-    label_curves(axes, "relative L2 error (%)", "lenses up to there (%)")
+    label_curves(
+        axes, f"{Message('relative L2 error')} (%)", f"{Message('lenses up to there')} (%)"
+    )
     set_tick_labels(axes, "x")
     axes.legend(loc="lower right", fontsize=FONT)  # below the curve
 
@@ -151,7 +157,7 @@ def draw_sweep(axes: "Axes", title: str, curves: Sequence[Curve]) -> None:
             label=curve.name,
         )
     axes.set_ylim(bottom=0)
-    label_curves(axes, title, "verified error (%)")
+    label_curves(axes, title, f"{Message('verified error')} (%)")
     if any(not _is_number(text) for text in texts):
         axes.set_xticks(list(positions.values()), texts)
     set_tick_labels(axes, "y")

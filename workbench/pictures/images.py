@@ -17,6 +17,7 @@ from matplotlib.colors import Colormap, LogNorm, Normalize
 
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
+from workbench.messages import Message
 from workbench.pictures.axes import (
     SIGNED,
     UNSIGNED,
@@ -142,7 +143,7 @@ class ErrorImage(UpdatedPicture):
         self._scene = scene
         self._target = target
         unit = light_unit(scene)
-        self._image = receiver_map(axes, "error", scene, SIGNED)
+        self._image = receiver_map(axes, Message("error"), scene, SIGNED)
         self._scale = round_scale(unit.density * full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
         colour_bar(axes, self._image, unit.words, extend="both")

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from workbench.arrays import Array
+from workbench.messages import Message
 from workbench.pictures.axes import FONT, UpdatedPicture, label_curves
 from workbench.powers import written
 
@@ -68,8 +69,8 @@ class LossPicture(UpdatedPicture):
         self._axes = axes
         self._against = against
         self._logarithmic = logarithmic
-        name = "iteration" if against == "iterations" else "time (s)"
-        label_curves(axes, name, "loss")
+        name = Message("iteration") if against == "iterations" else f"{Message('time')} (s)"
+        label_curves(axes, name, Message("loss"))
         axes.set_xscale("log" if logarithmic[0] else "linear")
         axes.set_yscale("log" if logarithmic[1] else "linear")
         for axis in (axes.xaxis, axes.yaxis):
@@ -82,9 +83,16 @@ class LossPicture(UpdatedPicture):
         # Columns, top and lines of the legend.
         self._legend: tuple[int, float, list[Line2D]] = (0, 0.0, [])
         look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
-        (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
+        (self._line,) = axes.plot([], [], **look, label=Message("this run"))  # type: ignore[arg-type]
         (self._points,) = axes.plot(
-            [], [], "o", color=_CHECKED, markersize=5, zorder=4, clip_on=False, label="verified"
+            [],
+            [],
+            "o",
+            color=_CHECKED,
+            markersize=5,
+            zorder=4,
+            clip_on=False,
+            label=Message("verified"),
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
         self._value = axes.text(
@@ -223,7 +231,7 @@ class LossPicture(UpdatedPicture):
 
 def draw_courses(axes: "Axes", runs: Sequence[LossCourse]) -> None:
     """Draw the losses of several runs against iterations."""
-    label_curves(axes, "iteration", "loss")
+    label_curves(axes, Message("iteration"), Message("loss"))
     axes.set_yscale("log")
     for run, (colour, stroke) in zip(runs, ((_THIS_RUN, "-"), *_OTHERS), strict=False):
         x_values = np.arange(1, run.losses.size + 1)

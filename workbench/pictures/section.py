@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
+from workbench.messages import Message
 from workbench.pictures.axes import FONT, Extent, UpdatedPicture, label_curves, set_round_ticks
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.scene import Scene
@@ -54,7 +55,7 @@ def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
     count = 1 + max(1, math.ceil(math.hypot(last_x - first_x, last_y - first_y)))
     part = np.linspace(0, 1, count)
     return Cut(
-        f"distance ({Extent.of_receiver(scene).unit})",
+        f"{Message('distance')} ({Extent.of_receiver(scene).unit})",
         (0.0, length),
         part * length,
         first_y + part * (last_y - first_y) - 0.5,
@@ -92,7 +93,9 @@ class SectionCurves(UpdatedPicture):
         self._unit = light_unit(scene)
         label_curves(axes, "", self._unit.words)
         set_round_ticks(axes)
-        (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
+        (wanted,) = axes.plot(
+            [], [], color=_TARGET, linewidth=1.2, linestyle="--", label=Message("target")
+        )
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
         self._target_line, self._light_line = wanted, light
         axes.legend(
