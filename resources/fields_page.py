@@ -52,13 +52,13 @@ def _row(field: FieldDescription, part: type[Part]) -> str:
     known = part.model_fields[field.name]
     default = "" if known.is_required() else _default(known)
     unit = field.measure.words_in("length")
-    said = [_sentence(field.tip)]
+    sentences = [_sentence(field.tip)]
     if field.limits:
-        said.append(field.limits)
+        sentences.append(field.limits)
     if field.choices:
-        said.append("One of " + ", ".join(f"`{value}`" for value, _ in field.choices) + ".")
+        sentences.append("One of " + ", ".join(f"`{value}`" for value, _ in field.choices) + ".")
     named = f"{field.title} ({unit})" if unit else field.title
-    return "| " + " | ".join((f"`{field.name}`", named, default, " ".join(said))) + " |"
+    return "| " + " | ".join((f"`{field.name}`", named, default, " ".join(sentences))) + " |"
 
 
 def _default(known: FieldInfo) -> str:

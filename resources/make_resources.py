@@ -170,7 +170,7 @@ def _magnified(shape: str, magnification: int) -> dict[str, Any]:
 
 
 def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
-    """The lens has to collect the light first: it needs more room for its heights."""
+    """The lens has to collect the light first: it needs a larger height range."""
     data = _formed(_shaped(_first("flame"), height_range=[-0.4, 0.4]), thickness=0.6)
     data["source"] = source
     return _exact(data) if source["kind"] == "point" else data
