@@ -61,7 +61,7 @@ def test_a_biconvex_lens_has_humps_on_both_faces_and_no_hollows(lens_of):
 
 
 def test_the_thickness_between_parallel_faces_is_bounded_by_their_distance(lens_of):
-    """Bounds of each face by itself would leave room for all of their sag."""
+    """Bounds of each face by itself would allow all of their sag."""
 
     def wave(z):
         return lambda x, y: z + 0.2 * x**2 - 0.1 * x * y + 0.05 * y**2

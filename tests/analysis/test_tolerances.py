@@ -25,7 +25,7 @@ RAYS = 16 * 64 * 64
 
 @pytest.fixture
 def wide(make_scene):
-    """A screen that has room for a shifted image."""
+    """A screen wider than a shifted image."""
     return make_scene({"screen.half_width": [2.0, 2.0], "screen.pixels": [64, 64]})
 
 

@@ -174,11 +174,11 @@ def profile(z, slope, x):
 
 
 def test_a_wall_far_away_is_in_the_way_of_a_large_ball():
-    """Floor and wall are flat: by curvature any ball would fit. Beside the wall there is none."""
+    """Ground and wall are flat: by curvature any ball would fit. Beside the wall there is none."""
     x = np.linspace(0, 2, 101)
     wall = x > 1
     face = profile(np.where(wall, 3 * (x - 1), 0.0), np.where(wall, 3.0, 0.0), x)
     radius, _ = blocked_radius(face, 100.0)
-    # The floor's last place and the wall's first are the tightest pair: a step apart, three high.
+    # The ground's last place and the wall's first are the tightest pair: a step apart, three high.
     assert radius == pytest.approx((1 + 3**2) * x[1] / (2 * 3))
     assert blocked_radius(face, 1e-3) is None

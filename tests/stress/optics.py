@@ -13,16 +13,16 @@ from tests.stress.scenes import Case, sources
 def mirrors(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
     lens = draw(glasses(most_points))
     kept = ("half_width", "degree", "control_points", "base", "outline")
-    room = draw(st.sampled_from([1e-6, 0.1, 1.0])) * min(lens["half_width"])
+    extent = draw(st.sampled_from([1e-6, 0.1, 1.0])) * min(lens["half_width"])
     return {name: lens[name] for name in kept} | {
-        "height_range": [-room, room],
+        "height_range": [-extent, extent],
         "reflectance": draw(st.sampled_from([1.0, 0.9, 1e-3])),
     }
 
 
 @st.composite
 def two_faced(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
-    """Lenses whose entrance face has a net of its own; its range may leave no room to the exit."""
+    """Lenses whose entrance face has a net of its own; its range may leave none to the exit face."""
     lens = draw(glasses(most_points))
     degree = draw(st.tuples(st.integers(1, 7), st.integers(1, 7)))
     more = st.one_of(st.integers(0, 8), st.just(30))

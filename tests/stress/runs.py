@@ -37,9 +37,9 @@ def target(kind: str, scene: Scene) -> Array:
 def check_within(heights: Array, allowed: HeightLimits) -> None:
     """No height is beyond its ends by more than rounding."""
     lower, upper = allowed.lower, allowed.upper
-    room = 1e-12 * (upper - lower).max() + 1e-15 * np.abs(upper).max()
-    assert (heights >= lower - room).all()
-    assert (heights <= upper + room).all()
+    rounding = 1e-12 * (upper - lower).max() + 1e-15 * np.abs(upper).max()
+    assert (heights >= lower - rounding).all()
+    assert (heights <= upper + rounding).all()
 
 
 def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:

@@ -24,8 +24,8 @@ LENGTHS = {
     "source": ("position", "center", "half_width"),
     "profile": ("radius",),
 }
-FACES = ("flat", "wavy", "rough", "wild", "critical", "floor")
-SIZES = {"flat": 0.0, "wavy": 0.01, "rough": 0.1, "wild": 2.0, "floor": 0.0}
+FACES = ("flat", "wavy", "rough", "wild", "critical", "lowest")
+SIZES = {"flat": 0.0, "wavy": 0.01, "rough": 0.1, "wild": 2.0, "lowest": 0.0}
 WEIGHTS = ("noise", "one pixel", "checkerboard", "nothing", "denormal")
 
 
@@ -72,7 +72,7 @@ class Case(NamedTuple):
             if self.face == "critical":
                 found[face] = self._roof(face, free, noise)
                 continue
-            shift = -3.0 if self.face == "floor" else 0.0
+            shift = -3.0 if self.face == "lowest" else 0.0
             moved = free.rest + SIZES[self.face] * torch.as_tensor(noise) + shift
             found[face] = free.heights(moved)
         return found
@@ -140,7 +140,7 @@ def lenses(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
         base["form"] = draw(st.sampled_from(["concave", "convex"]))
         if base["form"] == "convex":
             base["height"] += radius - np.sqrt(radius**2 - np.hypot(*half_width) ** 2)
-    room = draw(st.sampled_from([1e-6, 0.3, 0.9])) * thickness
+    extent = draw(st.sampled_from([1e-6, 0.3, 0.9])) * thickness
     return {
         "half_width": list(half_width),
         "entrance_z": entrance,
@@ -148,7 +148,7 @@ def lenses(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
         "degree": list(degree),
         "control_points": [min(p + 1 + draw(more), most_points) for p in degree],
         "base": base,
-        "height_range": [-room, room],
+        "height_range": [-extent, extent],
         "min_thickness": draw(st.sampled_from([0.0, 0.05])) * thickness,
     }
 

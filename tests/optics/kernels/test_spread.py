@@ -39,7 +39,7 @@ FILTERS = [
 def found_taps(alpha, size, kind):
     """Offsets, all taps and all slopes at them."""
     offset = np.linspace(-0.5, 0.5, BATCH, endpoint=False).astype(kind)
-    # Offsets, four batches of room, taps, slopes.
+    # Offsets, four batches of intermediate results, taps, slopes.
     numbers = np.full((5 + 2 * size) * BATCH, np.nan, kind)
     numbers[:BATCH] = offset
     batch, state, value, slope = (np.uintp(BATCH * k) for k in (1, 1, 5, 5 + size))
