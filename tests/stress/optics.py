@@ -22,7 +22,7 @@ def mirrors(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
 
 @st.composite
 def two_faced(draw: st.DrawFn, most_points: int) -> dict[str, Any]:
-    """Lenses whose entrance face has a net of its own, up to ranges that leave the exit face none."""
+    """Lenses whose entrance face has a net of its own; its range may leave the exit face none."""
     lens = draw(glasses(most_points))
     degree = draw(st.tuples(st.integers(1, 7), st.integers(1, 7)))
     more = st.one_of(st.integers(0, 8), st.just(30))
