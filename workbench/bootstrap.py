@@ -131,8 +131,8 @@ def _install(extra: str = "") -> None:
     project = f".[{extra}]" if extra else "."
     if _run([SCRIPTS / "python", "-m", "pip", "install", "--quiet", "--editable", project]) != 0:
         raise SetUpFailed("Installing the Python packages failed; pip's reason is above.")
-    print("Compiling the tracing kernels (some three minutes, once)", flush=True)
-    if _run([SCRIPTS / "python", "-m", "workbench.analysis.kernels"]) != 0:
+    print("Compiling the tracing kernels (a minute or two, once)", flush=True)
+    if _run([SCRIPTS / "python", "-m", "workbench.analysis.kernels", *filter(None, [extra])]) != 0:
         raise SetUpFailed("Compiling the tracing kernels failed; the reason is above.")
     STAMP.write_text("\n".join({_key(""), _key(extra)}) + "\n")
 

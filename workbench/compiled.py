@@ -88,6 +88,22 @@ def unkept() -> str:
     return "" if _folder() else "; ".join(_failures) or "no folder can be written to"
 
 
+def collect(cache: Path) -> None:
+    """Copy the code that another process kept with ``NUMBA_CACHE_DIR=cache``.
+
+    Of a function that has code in both folders, the one here stays: only functions that no other
+    compiled function contains are loaded, so each of these is to be compiled by one process.
+    """
+    folder = _folder()
+    if folder is None:
+        return
+    for file in sorted((cache / folder.name).glob("*/*.nb[ic]")):
+        there = folder / file.relative_to(cache / folder.name)
+        if not there.exists():
+            there.parent.mkdir(exist_ok=True)
+            shutil.copy(file, there)
+
+
 def folders() -> Iterator[Path]:
     """Yield the folders where code may be kept, the best one first."""
     named = f"kernels-{_fingerprint()}"
