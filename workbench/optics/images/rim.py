@@ -17,9 +17,9 @@ from torch import Tensor
 
 from workbench.optics import ready
 from workbench.optics.images.beams import drawn, first_lines
-from workbench.optics.kernels.beam_image import repeated
-from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
-from workbench.optics.kernels.cell_image import Splits
+from workbench.optics.kernels.beam_cells import SLIVER
+from workbench.optics.kernels.cell_image import Splits, repeated
+from workbench.optics.kernels.node_shift import FARTHEST
 from workbench.optics.kernels.polygons import compiled_drawn
 
 # Corners of the triangles of even and of odd cells, as numbers of 2 × 2 nodes; see

@@ -1,213 +1,187 @@
-"""Beams of light onto pixels, exactly, by what crosses their edges; and the adjoint.
+"""Beams of light onto pixels, row by row of a beam mesh; and the adjoint.
 
-By Green's theorem the light of a triangle in a pixel is a sum over the edges of the triangle. An
-edge that two triangles share is walked once, with the difference of their densities. It adds to
-the pixels that it crosses; what all pixels to the right of these get is a sum along the row, done
-at the end, once for all edges. Fonts are drawn like this. No triangle is ever clipped.
+Each cell between nodes (i, j) and (i + 1, j + 1) is two triangles of equal flux. A triangle whose
+corners are in one pixel adds its flux there, whatever its shape, and its corners have no gradient;
+on fine meshes most triangles are such. One whose corners are in two neighbouring pixels is cut by
+the border between them. For all others Green's theorem applies: the light of a triangle in a pixel
+is a sum over its edges. An edge that two triangles share is walked once, with the difference of
+their densities. It adds to the pixels that it crosses; what all pixels to the right of these get is
+a sum along the row, done at the end, once for all edges.
 
 Triangles carry a sign: one that is folded over has a negative area, so a negative density, and the
 product is light again. All of it is computed in float64: where the density is high, the sum along a
 row cancels.
 
-In each cell of nodes [i, i+1] × [j, j+1] the diagonal begins at (i, j) where i + j is even, else at
-(i+1, j): errors by the twist of the light cancel between neighbours. Grids of several that lie side
-by side are drawn one by one. Triangle 0 holds the edge from
-(i, j) to (i+1, j), triangle 1 the opposite one.
+The diagonal of a cell begins at (i, j) where i + j is even, else at (i + 1, j): errors by the twist
+of the light cancel between neighbours. Grids that lie side by side count i anew. Triangle 0 holds
+the edge from (i, j) to (i + 1, j), triangle 1 the opposite one.
 """
 
 import numpy as np
 
 from workbench.compiled import jit
+from workbench.optics.kernels.beam_cells import (
+    RING,
+    add_cells,
+    cells_back,
+    flux_back,
+    load,
+    make_rings,
+    no_cells,
+)
 from workbench.optics.kernels.beam_edge import add_edge, see_edge
+from workbench.optics.kernels.node_shift import count_shift, shift_back
 
-_ZERO, _ONE, _TWO = (np.uintp(k) for k in range(3))
-
-# A triangle that is narrower than this, in pixels, lights the one pixel in which its middle is. Its
-# width is its area by its length, or by a pixel if it is shorter. Where the light of a long one is
-# in a pixel would be a difference of great numbers, and its gradient that of greater ones: with
-# 1e-7 rounding changes a gradient of 13 × 13 × 48² cells by 3e-5, with 1e-6 by 3e-7.
-SLIVER = 1e-6
 # Pixels with less than this part of all light are dark: so much is the rounding of sums along rows.
 ROUNDING = 1e-15
-# Hits further from the image than this, in pixels, stay there: nothing overflows.
-FARTHEST = 1e7
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _corners(i, j, triangle):  # type: ignore[no-untyped-def]
-    """Nodes of a triangle, in the order of its edges."""
-    if (i + j) % 2 == 0:
-        if triangle == 0:
-            return i, j, i + 1, j, i + 1, j + 1
-        return i, j, i + 1, j + 1, i, j + 1
-    if triangle == 0:
-        return i, j, i + 1, j, i, j + 1
-    return i + 1, j, i + 1, j + 1, i, j + 1
+def _list_edges(turns, i, rings, edges):  # type: ignore[no-untyped-def]
+    """List the edges of triangles with a density that begin at a row of nodes; returns how many.
+
+    `turns`: see `Mesh`; `edges` (5 m, 4): nodes from and to, and triangles on both sides, as
+    numbers within the flat rings; changed.
+    """
+    density, counts, m = rings.density, rings.counts, np.int64(rings.numbers.shape[1])
+    k, before, after = i % RING, (i - 1) % RING, (i + 1) % RING
+    here, above, turn, turn_above = density[k], density[before], turns[i], turns[max(i - 1, 0)]
+    nodes, next_nodes, cells, cells_above = k * m, after * m, 2 * k * (m + 1), 2 * before * (m + 1)
+    count = 0
+    for place in range(counts[k]):
+        j = np.int64(rings.cells[k, place])
+        o, even = j + 1, (j + turn) % 2 == 0
+        below = 1 if even else 0
+        over = 0 if (j + turn_above) % 2 == 0 else 1
+        if here[o, 0] != 0.0 or here[j, 1] != 0.0:
+            _put_edge(edges, count, nodes + j, next_nodes + j, cells + 2 * o, cells + 2 * j + 1)
+            count += 1
+        if above[o, over] != 0.0 or here[o, below] != 0.0:
+            sides = cells_above + 2 * o + over, cells + 2 * o + below
+            _put_edge(edges, count, nodes + j, nodes + o, *sides)
+            count += 1
+        start, end = (nodes + j, next_nodes + o) if even else (next_nodes + j, nodes + o)
+        _put_edge(edges, count, start, end, cells + 2 * o + below, cells + 2 * o + 1 - below)
+        count += 1
+        if here[o, 1] != 0.0 and here[o + 1, 0] == 0.0 and here[o + 1, 1] == 0.0:
+            sides = cells + 2 * o + 2, cells + 2 * o + 1
+            _put_edge(edges, count, nodes + o, next_nodes + o, *sides)
+            count += 1
+    for place in range(counts[before]):
+        j = np.int64(rings.cells[before, place])
+        o, over = j + 1, 0 if (j + turn_above) % 2 == 0 else 1
+        if above[o, over] != 0.0 and here[o, 0] == 0.0 and here[o, 1] == 0.0:
+            sides = cells_above + 2 * o + over, cells + 2 * o
+            _put_edge(edges, count, nodes + j, nodes + o, *sides)
+            count += 1
+    return count
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _is_sliver(x_1, y_1, x_2, y_2, area):  # type: ignore[no-untyped-def]
-    """Whether a triangle is too narrow to be drawn; it is given by two of its sides."""
-    length = max(abs(x_1), abs(y_1), abs(x_2), abs(y_2), 1.0)
-    return abs(area) <= SLIVER * length
+def _put_edge(edges, number, start, end, plus, minus):  # type: ignore[no-untyped-def]
+    edges[number, 0], edges[number, 1] = start, end
+    edges[number, 2], edges[number, 3] = plus, minus
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _half_flux(flux, parts, i, j):  # type: ignore[no-untyped-def]
-    """Flux of each of the two triangles of a cell."""
-    along_u, along_v = parts
-    low, high = along_v[j, 1], along_v[j + 1, 0]
-    return 0.5 * (
-        along_u[i, 1] * (low * flux[i, j] + high * flux[i, j + 1])
-        + along_u[i + 1, 0] * (low * flux[i + 1, j] + high * flux[i + 1, j + 1])
-    )
+def _of_edge(edges, number):  # type: ignore[no-untyped-def]
+    """Nodes and triangles of an edge, as `_list_edges` puts them."""
+    return (
+        np.uintp(edges[number, 0]), np.uintp(edges[number, 1]),
+        np.uintp(edges[number, 2]), np.uintp(edges[number, 3]),
+    )  # fmt: skip
+
+
+@jit(error_model="numpy")
+def _flat(places):  # type: ignore[no-untyped-def]
+    return places[0].reshape(-1), places[1].reshape(-1)
 
 
 @jit(allocates=False, error_model="numpy")
-def densities(column, row, flux, parts, begin, end, density, image):  # type: ignore[no-untyped-def]
-    """Flux per area of triangles, for cells with numbers from ``begin`` to ``end`` along u.
+def draw(mesh, begin, end, image, steps):  # type: ignore[no-untyped-def]
+    """Add the light of some rows of cells to an image.
 
-    `column`, `row` (n + 1, m + 1): hits of the nodes; infinite for those without; `flux` (n + 1, m
-    + 1): flux of the nodes; those at the rim have a half or a quarter of a cell's; `parts` (n + 1,
-    3) and (m + 1, 3): parts of a node's flux that go to the cells before and behind it along u, and
-    along v; and 1 for nodes between two cells of equal width; `begin`, `end`: which cells;
-    `density` (n + 2, m + 2, 2): the result: flux per pixel area, with the sign of the area; 0 where
-    there is none, and in a ring of cells around all others, so that each edge lies between two;
-    `image` (n_y, n_x): triangles that are too narrow are added to it. Returns flux of all triangles
-    whose corners hit the plane, on the image or beside it.
+    `mesh`: see `Mesh`; `begin`, `end`: which rows of nodes; the cells behind them are drawn, and
+    all edges that begin there; `image` (n_y (n_x + 1),): light of triangles without edges; changed;
+    `steps` (n_y, n_x + 1): changed; minus its sums along rows is all other light. Returns the flux
+    of all triangles whose corners hit the plane, on the image or beside it.
     """
-    lands = 0.0
+    n, m = mesh.column.shape
+    rings = make_rings(m)
+    edges, (x, y) = np.empty((5 * m, 4), np.int32), _flat(rings.places)
+    density, size, lands = rings.density.reshape(-1), (steps.shape[0], steps.shape[1] - 1), 0.0
+    if begin > 0:
+        load(mesh, begin - 1, size, rings)
+    load(mesh, begin, size, rings)
+    if begin > 0:
+        add_cells(mesh, begin - 1, rings, image[:0], size)
     for i in range(begin, end):
-        for j in range(column.shape[1] - 1):
-            half = _half_flux(flux, parts, i, j)
-            for triangle in range(2):
-                a, b, c, d, e, f = _corners(i, j, triangle)
-                x, y = column[a, b], row[a, b]
-                x_1, y_1 = column[c, d] - x, row[c, d] - y
-                x_2, y_2 = column[e, f] - x, row[e, f] - y
-                area = 0.5 * (x_1 * y_2 - x_2 * y_1)
-                if not np.isfinite(area):
-                    density[i + 1, j + 1, triangle] = 0.0
-                    continue
-                lands += half
-                if not _is_sliver(x_1, y_1, x_2, y_2, area):
-                    density[i + 1, j + 1, triangle] = half / area
-                    continue
-                density[i + 1, j + 1, triangle] = 0.0
-                x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
-                if 0 <= x < image.shape[1] and 0 <= y < image.shape[0]:
-                    image[int(y), int(x)] += half
+        if i + 1 < n:
+            load(mesh, i + 1, size, rings)
+            lands += add_cells(mesh, i, rings, image, size)
+        else:
+            no_cells(i, rings)
+        for edge in range(_list_edges(mesh.turn, i, rings, edges)):
+            a, b, plus, minus = _of_edge(edges, edge)
+            add_edge(x[a], y[a], x[b], y[b], density[plus] - density[minus], steps)
     return lands
 
 
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _edge(kind, i, j):  # type: ignore[no-untyped-def]
-    """One of the three edges that belong to a node: along u, along v, or the cell's diagonal."""
-    even = (i + j) % _TWO == _ZERO
-    one = _ONE  # cell (i, j) comes behind the ring
-    if kind == 0:
-        return i, j, i + one, j, i + one, j + one, _ZERO, i + one, j, _ONE
-    if kind == 1:
-        which = _ONE if even else _ZERO
-        return i, j, i, j + one, i, j + one, which, i + one, j + one, which
-    if even:
-        return i, j, i + one, j + one, i + one, j + one, _ONE, i + one, j + one, _ZERO
-    return i + one, j, i, j + one, i + one, j + one, _ZERO, i + one, j + one, _ONE
+@jit(error_model="numpy")
+def draw_back(mesh, begin, end, cotangent, seen, right, result):  # type: ignore[no-untyped-def]
+    """Adjoint of `draw`, for some rows of nodes.
 
-
-@jit(allocates=False, error_model="numpy")
-def add_edges(column, row, density, begin, end, steps):  # type: ignore[no-untyped-def]
-    """Add what crosses the edges that belong to nodes from ``begin`` to ``end`` along u.
-
-    `column`, `row`, `density`: see `densities`; `begin`, `end`: which nodes; `steps` (n_y, n_x +
-    1): changed; minus its sums along rows are the image.
+    `mesh`: see `Mesh`; `begin`, `end`: which rows of nodes; `cotangent` (n_y, n_x): of the image;
+    `seen` (n_y (n_x + 1),): the same with a pixel more in each row; `right` (n_y, n_x + 1): its
+    sums over all pixels from each one to the right end of the row; `result` (3, n, m): cotangents
+    of columns, rows and flux of these nodes; changed.
     """
-    count_i, count_j = np.uintp(column.shape[0] - 1), np.uintp(column.shape[1] - 1)
-    for i in range(np.uintp(begin), np.uintp(end)):
-        for j in range(count_j + _ONE):
-            for kind in range(3):
-                if (i == count_i and kind != 1) or (j == count_j and kind != 0):
-                    continue
-                a, b, c, d, k, l, m, n, o, p = _edge(kind, i, j)  # noqa: E741
-                jump = density[k, l, m] - density[n, o, p]
-                add_edge(column[a, b], row[a, b], column[c, d], row[c, d], jump, steps)
-
-
-@jit(allocates=False, error_model="numpy")
-def edges_back(column, row, density, cotangent, right, begin, end, d_column, d_row, d_density):  # type: ignore[no-untyped-def]
-    """Adjoint of `add_edges`, for nodes from ``begin`` to ``end`` along u.
-
-    `column`, `row`, `density`: see `densities`; `cotangent` (n_y, n_x): cotangent of the image;
-    `right` (n_y, n_x + 1): its sums over all pixels from each one to the right end of the row;
-    `begin`, `end`: which nodes; `d_column`, `d_row` (end - begin + 1, m + 1): cotangents of the
-    hits of these nodes and the next ones; changed; `d_density` (end - begin + 1, m + 2, 2): those
-    of the densities in the cells before these nodes, and behind them; changed.
-    """
-    count_i, count_j = np.uintp(column.shape[0] - 1), np.uintp(column.shape[1] - 1)
-    first = np.uintp(begin)
-    for i in range(first, np.uintp(end)):
-        for j in range(count_j + _ONE):
-            for kind in range(3):
-                if (i == count_i and kind != 1) or (j == count_j and kind != 0):
-                    continue
-                a, b, c, d, k, l, m, n, o, p = _edge(kind, i, j)  # noqa: E741
-                x, y, to_x, to_y = column[a, b], row[a, b], column[c, d], row[c, d]
-                if not (abs(x + y) < np.inf and abs(to_x + to_y) < np.inf):
-                    continue
-                beside, from_start, to_end = see_edge(x, y, to_x, to_y, cotangent, right)
-                jump = density[k, l, m] - density[n, o, p]
-                across_x, across_y = (to_y - y) * jump, (x - to_x) * jump
-                a, c, k, n = a - first, c - first, k - first, n - first
-                d_column[a, b] += across_x * from_start
-                d_row[a, b] += across_y * from_start
-                d_column[c, d] += across_x * to_end
-                d_row[c, d] += across_y * to_end
-                d_density[k, l, m] -= beside
-                d_density[n, o, p] += beside
-
-
-@jit(allocates=False, error_model="numpy")
-def densities_back(  # type: ignore[no-untyped-def]
-    column, row, density, parts, cotangent, d_density, begin, end, d_column, d_row, d_flux
-):
-    """Adjoint of `densities`, for cells with numbers from ``begin`` to ``end`` along u.
-
-    `column`, `row`, `density`, `parts`, `cotangent`, `begin`, `end`: see `densities` and
-    `edges_back`; `d_density` (n + 2, m + 2, 2): cotangent of the densities; `d_column`, `d_row`,
-    `d_flux` (end - begin + 1, m + 1): those of the nodes from ``begin`` on; changed.
-    """
-    along_u, along_v = parts
-    for i in range(begin, end):
-        left, right = along_u[i, 1], along_u[i + 1, 0]
-        for j in range(column.shape[1] - 1):
-            below, above = along_v[j, 1], along_v[j + 1, 0]
-            d_half = 0.0
-            for triangle in range(2):
-                a, b, c, d, e, f = _corners(i, j, triangle)
-                x, y = column[a, b], row[a, b]
-                x_1, y_1 = column[c, d] - x, row[c, d] - y
-                x_2, y_2 = column[e, f] - x, row[e, f] - y
-                area = 0.5 * (x_1 * y_2 - x_2 * y_1)
-                if not np.isfinite(area):
-                    continue
-                if _is_sliver(x_1, y_1, x_2, y_2, area):
-                    x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
-                    if 0 <= x < cotangent.shape[1] and 0 <= y < cotangent.shape[0]:
-                        d_half += cotangent[int(y), int(x)]
-                    continue
-                mean = d_density[i + 1, j + 1, triangle] / area  # over the triangle
-                d_half += mean
-                d_area = -0.5 * mean * density[i + 1, j + 1, triangle]
-                a, c, e = a - begin, c - begin, e - begin
-                d_column[a, b] -= d_area * (y_2 - y_1)
-                d_column[c, d] += d_area * y_2
-                d_column[e, f] -= d_area * y_1
-                d_row[a, b] += d_area * (x_2 - x_1)
-                d_row[c, d] -= d_area * x_2
-                d_row[e, f] += d_area * x_1
-            d_half *= 0.5
-            k = i - begin
-            d_flux[k, j] += left * below * d_half
-            d_flux[k, j + 1] += left * above * d_half
-            d_flux[k + 1, j] += right * below * d_half
-            d_flux[k + 1, j + 1] += right * above * d_half
+    n, m = mesh.column.shape
+    rings = make_rings(m)
+    edges, (x, y) = np.empty((5 * m, 4), np.int32), _flat(rings.places)
+    moved, d_flux = np.zeros((2, RING, m)), np.zeros((RING, m))
+    d_density = np.zeros((RING, m + 1, 2))
+    (d_x, d_y), density, d_flat = _flat(moved), rings.density.reshape(-1), d_density.reshape(-1)
+    shifts, d_cell, along = np.zeros((2, RING, m)), np.zeros(m - 1), np.empty(m)
+    size, none = cotangent.shape, seen[:0]
+    # Cotangents of a row of nodes are complete after the edges of the next row, and those of its
+    # hits after one row more, because the shifts of both neighbours count there.
+    first = max(begin - 2, 0)
+    load(mesh, first, size, rings)
+    for i in range(first, min(end + 2, n + 2)):
+        k, before, after = i % RING, (i - 1) % RING, (i + 1) % RING
+        if i + 1 < n:
+            load(mesh, i + 1, size, rings)
+            add_cells(mesh, i, rings, none, size)
+        else:
+            no_cells(i, rings)
+        moved[0, after], moved[1, after], d_flux[after], d_density[k] = 0.0, 0.0, 0.0, 0.0
+        count = _list_edges(mesh.turn, i, rings, edges) if i < n else 0
+        for edge in range(count):
+            a, b, plus, minus = _of_edge(edges, edge)
+            beside, from_start, to_end = see_edge(x[a], y[a], x[b], y[b], cotangent, right)
+            jump = density[plus] - density[minus]
+            across_x, across_y = (y[b] - y[a]) * jump, (x[a] - x[b]) * jump
+            d_x[a] += across_x * from_start
+            d_y[a] += across_y * from_start
+            d_x[b] += across_x * to_end
+            d_y[b] += across_y * to_end
+            d_flat[plus] -= beside
+            d_flat[minus] += beside
+        if first < i < n:
+            cells_back(mesh, i - 1, rings, seen, size, d_density, moved, d_cell)
+            flux_back(mesh, i - 1, d_cell, d_flux)
+        if i > n:
+            shifts[0, before], shifts[1, before] = 0.0, 0.0
+        elif i > 0:
+            count_shift(mesh.column, mesh.along_v, i - 1, moved[0, before], shifts[0, before])
+            count_shift(mesh.row, mesh.along_v, i - 1, moved[1, before], shifts[1, before])
+        if begin <= i - 2 < end:
+            row = (i - 2) % RING
+            for axis, hits in ((0, mesh.column), (1, mesh.row)):
+                some = shifts[axis]
+                each = some[(i - 3) % RING], some[row], some[before]
+                shift_back(
+                    hits, mesh.along_u, i - 2, moved[axis, row], each, along, result[axis, i - 2]
+                )
+            result[2, i - 2] = d_flux[row]

@@ -4,6 +4,7 @@ One call draws several grids of rays: what a grid needs stays in the cache.
 """
 
 from functools import partial
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,10 +14,10 @@ from torch import Tensor
 from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.optics.kernels import kind_of, threads
-from workbench.optics.kernels.beam_image import grids_of, shift, shift_back, splits_of_grids
 from workbench.optics.kernels.beam_raster import ROUNDING
 from workbench.optics.kernels.box_raster import add_boxes, see_boxes
-from workbench.optics.kernels.cell_image import Back, Splits, cell_image
+from workbench.optics.kernels.cell_image import Back, Splits, cell_image, repeated
+from workbench.optics.kernels.node_shift import count_shift, shift, shift_back
 from workbench.optics.kernels.taps import FAST
 
 
@@ -27,7 +28,7 @@ class Grids(NamedTuple):
     # (grids,), first row of each in ``along_u``: where all are alike, it has those of one.
     behind: AnyArray
     # (n, 3) and (m, 3), splits along both axes; see
-    # `workbench.optics.kernels.beam_raster.densities`.
+    # `workbench.optics.kernels.beam_cells.Mesh`.
     along_u: Array
     along_v: Array
     # (2, n) and (2, m), their parts of flux, in the float type of the nodes; see `find_boxes`.
@@ -37,9 +38,9 @@ class Grids(NamedTuple):
     @classmethod
     def of(cls, nodes: AnyArray, splits: Splits) -> "Grids":
         """Grids of nodes, shape (3, n, m)."""
-        rows = grids_of(splits, nodes.shape[1:]) or [slice(0, nodes.shape[1])]
+        rows = _grids_of(splits, nodes.shape[1:]) or [slice(0, nodes.shape[1])]
         alike = nodes.shape[1] > len(splits[1])
-        along_u, along_v = splits_of_grids(splits, rows[0] if alike else slice(0, nodes.shape[1]))
+        along_u, along_v = _splits_of_grids(splits, rows[0] if alike else slice(0, nodes.shape[1]))
         parts_u, parts_v = (
             each[:, :2].T.astype(nodes.dtype, order="C") for each in (along_u, along_v)
         )
@@ -82,9 +83,19 @@ def see_grids(nodes, grids, begin, end, sums, result):  # type: ignore[no-untype
         d_flux[:] = d_flux.dtype.type(0)
         see_boxes(hits, nodes[2, first:last], parts, sums, d_hits, d_flux)
         for k in range(2):
-            shift_back(
-                nodes[k, first:last], split, d_hits[k], 0, last - first, result[k, first:last]
-            )
+            _move_back(nodes[k, first:last], split, d_hits[k], result[k, first:last])
+
+
+@jit(error_model="numpy")
+def _move_back(hits, split, moved, result):  # type: ignore[no-untyped-def]
+    """Adjoint of the shifts of a grid."""
+    rows, m = hits.shape
+    counts, along = np.zeros((rows + 2, m), moved.dtype), np.empty(m, moved.dtype)
+    for i in range(rows):
+        count_shift(hits, split[0], i, moved[i], counts[i + 1])
+    for i in range(rows):
+        around = counts[i], counts[i + 1], counts[i + 2]
+        shift_back(hits, split[1], i, moved[i], around, along, result[i])
 
 
 @jit(error_model="numpy")
@@ -93,7 +104,8 @@ def _moved(nodes, grids, grid, split):  # type: ignore[no-untyped-def]
     first, last = grids.first[grid], grids.first[grid + 1]
     hits = np.empty((2, last - first, nodes.shape[2]), nodes.dtype)
     for k in range(2):
-        shift(nodes[k, first:last], split, 0, last - first, hits[k])
+        for i in range(last - first):
+            shift(nodes[k, first:last], split[0], split[1], i, hits[k, i])
     return hits
 
 
@@ -103,6 +115,38 @@ def _of_grid(grids, grid):  # type: ignore[no-untyped-def]
     begin = grids.behind[grid]
     here = slice(begin, begin + grids.first[grid + 1] - grids.first[grid])
     return (grids.along_u[here], grids.along_v), (grids.parts_u[:, here], grids.parts_v)
+
+
+# Grids of so few rows are drawn as one: what lies between them costs less than a call for each.
+_SMALL = 32
+# Nodes of grids that are alike and drawn as one: their boxes fit into the cache of a processor.
+_TOGETHER = 1 << 16
+
+
+def _grids_of(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
+    """Rows of grids that lie side by side, if there are several that are drawn one by one."""
+    along_v, (rows, columns) = splits[1], shape
+    if (alike := rows // len(along_v)) > 1:
+        each = len(along_v)
+        few = max(_TOGETHER // (each * columns), 1)
+        return [
+            slice(each * begin, each * min(begin + few, alike)) for begin in range(0, alike, few)
+        ]
+    first = np.flatnonzero(along_v[:, 0] == 0)
+    if len(first) < 2:
+        return []
+    counts = np.diff(first, append=len(along_v))
+    if counts.max() <= _SMALL:
+        return []
+    return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
+
+
+def _splits_of_grids(splits: Splits, rows: slice) -> tuple[Array, Array]:
+    """Splits of some grids, along the first axis of their nodes, then along the second."""
+    along_u, along_v = splits
+    if rows.stop <= len(along_v):
+        return along_v[rows], along_u
+    return repeated(along_v, rows.stop - rows.start), along_u
 
 
 # Parts where none needs an image of its own: no thread then waits long for another.

@@ -7,6 +7,7 @@ Beams and boxes draw cells, each in its own way; see `workbench.optics.images.be
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
@@ -20,6 +21,11 @@ Back = Callable[[AnyArray, Array], AnyArray]
 
 Draw = Callable[[AnyArray, tuple[int, int], Splits], tuple[Array, float, Back]]
 """The image of nodes, the flux that lands on its plane, and the way back."""
+
+
+def repeated(along: Array, rows: int) -> Array:
+    """Splits of so many rows of nodes, from those of one of several grids that are alike."""
+    return np.tile(along, (rows // len(along), 1))
 
 
 def cell_image(
