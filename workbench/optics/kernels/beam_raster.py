@@ -97,7 +97,7 @@ def _flat(places):  # type: ignore[no-untyped-def]
     return places[0].reshape(-1), places[1].reshape(-1)
 
 
-@jit(allocates=False, error_model="numpy")
+@jit(error_model="numpy")
 def draw(mesh, begin, end, image, steps):  # type: ignore[no-untyped-def]
     """Add the light of some rows of cells to an image.
 
