@@ -77,6 +77,7 @@ class TestValidate:
             "error_bound",
             "error_bound_wanted",
             "independent_rays",
+            "ledger",
             "loss",
             "noise",
             "optimiser_difference",
@@ -85,6 +86,7 @@ class TestValidate:
         ]
         assert exact["relative_l2"] == pytest.approx(math.sqrt(1 - disc), rel=0.01)
         assert exact["efficiency"] == pytest.approx(0.96**2, rel=1e-12)
+        assert sum(exact["ledger"].values()) == pytest.approx(2.0, abs=1e-12)
         assert exact["error_bound"] < 1e-12
         assert exact["difference_over_noise"] == pytest.approx(1, abs=0.1)
         assert exact["optimiser_difference"] < 0.06

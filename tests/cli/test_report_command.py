@@ -157,7 +157,7 @@ class TestHtml:
         low, high = check["relative_l2_interval"]
         assert found["95 % interval with noise"] == f"{100 * low:.3f} % to {100 * high:.3f} %"
         assert found["rays"].replace(",", "") == str(check["rays"])
-        light = check["ledger"]
+        light = exact["ledger"]
         for name, key in (
             ("on the screen", "on_screen"),
             ("missed the screen", "off_screen"),
