@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from tests.stress.scenes import FACES, WEIGHTS, Case, lenses, sources
 from workbench.errors import Refused
+from workbench.measured.lamps import ray_model
 from workbench.optics.sources import emitter_of
 
 
@@ -140,6 +141,8 @@ def cases_of(draw: st.DrawFn, part: dict[str, Any]) -> Case:
     try:
         scene = case.scene
         emitter_of(scene.source, scene.optic)
+        if in_file:
+            ray_model(scene.source, scene.optic, case.origins)
     except Refused as refused:
         assert str(refused).strip()
         assert "\n" not in str(refused)

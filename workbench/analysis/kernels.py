@@ -75,50 +75,50 @@ def _compile_check(goes_on: Callable[[], bool] = lambda: True) -> None:
                 pass
 
 
-def _obtain(*names: str) -> None:
+def _obtain(names: Sequence[str], dtypes: Sequence[torch.dtype]) -> None:
     for name in names:
-        if not ready.obtain(name, torch.float32):
-            raise ready.failure(name, torch.float32) or RuntimeError(name)
+        for dtype in dtypes:
+            if not ready.obtain(name, dtype):
+                raise ready.failure(name, dtype) or RuntimeError(name)
 
 
-def _compile_rest() -> None:
+def _compile_rest(dtypes: Sequence[torch.dtype]) -> None:
     """Compile all kernels that a design and its check call beside the train."""
     transport.compile_all(dtypes=())
-    _obtain("beams", "boxes")
+    _obtain(("beams", "boxes"), dtypes)
     _compile_check()
 
 
-# What set-up compiles, each part in a process of its own. Measured: 85, 40 and 110 s of processor
-# time. Few designs need float64, but many tests.
-_PARTS: dict[str, Callable[[], object]] = {
-    "train": lambda: _obtain("train"),
+# What set-up compiles, each part in a process of its own: 85 and 40 s of processor time for one
+# float type. No kernel that Python calls is in both.
+_PARTS: dict[str, Callable[[Sequence[torch.dtype]], None]] = {
+    "train": lambda dtypes: _obtain(("train",), dtypes),
     "rest": _compile_rest,
-    "float64": lambda: ready.compile_all(dtype=torch.float64),
 }
+# Few designs need float64, but many tests.
+_DTYPES = {"": (torch.float32,), "test": (torch.float32, torch.float64)}
 
 
-def _compile_side_by_side(parts: Sequence[str]) -> None:
-    """Compile parts in two processes at a time, and collect their code in the program's folder.
+def _compile_side_by_side(extra: str) -> None:
+    """Compile all parts at the same time, and collect their code in the program's folder.
 
     Processes with one folder would compile in turns; see `workbench.compiled`.
     """
-    with TemporaryDirectory() as parent, ThreadPoolExecutor(2) as pool:
-        folders = [Path(parent) / part for part in parts]
-        commands = [[sys.executable, "-m", __spec__.name, part] for part in parts]
+    with TemporaryDirectory() as parent, ThreadPoolExecutor() as pool:
 
-        def compile_in(folder: Path, command: list[str]) -> None:
-            subprocess.run(command, env=os.environ | {"NUMBA_CACHE_DIR": str(folder)}, check=True)
+        def compile_in_own_folder(part: str) -> None:
+            command = [sys.executable, "-m", __spec__.name, extra, part]
+            folder = {"NUMBA_CACHE_DIR": f"{parent}/{part}"}
+            subprocess.run(command, env=os.environ | folder, check=True)
 
-        list(pool.map(compile_in, folders, commands))
-        for folder in folders:
-            collect(folder)
+        list(pool.map(compile_in_own_folder, _PARTS))
+        for part in _PARTS:
+            collect(Path(parent) / part)
 
 
 if __name__ == "__main__":
     match sys.argv[1:]:
-        case []:
-            _compile_side_by_side(["train", "rest"])
-        case ["test"]:
-            _compile_side_by_side(list(_PARTS))
-        case [part]:
-            _PARTS[part]()
+        case [extra, part]:
+            _PARTS[part](_DTYPES[extra])
+        case arguments:
+            _compile_side_by_side(*arguments or [""])

@@ -33,11 +33,11 @@ _REAL = 8  # bytes of a float64
 _MAPPED = 32 << 20
 _FAR, _NEAR, _BOTH = (26, 26), (58, 76), (122, 76)
 # Numbers of a node: those of hits and flux, the same on the wide image, and both cotangents, in the
-# precision of the trace; and in float64 hits, densities of triangles, and cotangents of these.
-_TRACED, _DRAWN = 9, 9
+# precision of the trace; and in float64 what rows of nodes and images of their parts take, measured.
+_TRACED, _DRAWN = 9, 1
 # Those of a node where beams run between origins: hits and flux in the order of the trace and in
 # that of the samples, which are drawn in small batches.
-_OF_SAMPLES = 8
+_OF_SAMPLES = 10
 # More of them in the precision of the trace: areas, depths and distances to the rim on two faces;
 # and all that torch keeps where no kernel traces.
 _OF_TWO_FACES, _WITHOUT_KERNEL = 6, 60

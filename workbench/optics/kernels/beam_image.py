@@ -58,10 +58,11 @@ def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Arr
 
 
 def _mesh(nodes: AnyArray, splits: Splits) -> Mesh:
-    along_v = repeated(splits[1], nodes.shape[1])
+    along_u, along_v = splits
     lines = np.arange(len(along_v))
     turn = (lines - np.maximum.accumulate(np.where(along_v[:, 0] == 0, lines, 0))) % 2
-    return Mesh(nodes[0], nodes[1], nodes[2], along_v, splits[0], turn)
+    turns = np.tile(turn, nodes.shape[1] // len(turn))
+    return Mesh(nodes[0], nodes[1], nodes[2], repeated(along_v, len(turns)), along_u, turns)
 
 
 def _back(nodes: AnyArray, cotangent: Array, splits: Splits) -> AnyArray:
