@@ -14,13 +14,13 @@ def candela(c: np.ndarray, gamma: np.ndarray) -> np.ndarray:
     return np.asarray(1000 * np.cos(gamma) * (1 + uneven))
 
 
-def words(values: Sequence[float]) -> str:
+def words(values: Sequence[float] | np.ndarray) -> str:
     return " ".join(f"{value:.10g}" for value in values)
 
 
 def ies(
-    c: Sequence[float],
-    gamma: Sequence[float],
+    c: Sequence[float] | np.ndarray,
+    gamma: Sequence[float] | np.ndarray,
     values: np.ndarray,
     version: str = "IESNA:LM-63-2002",
     tilt: str = "TILT=NONE",
@@ -39,8 +39,8 @@ def ies(
 
 def ldt(
     symmetry: int,
-    c: Sequence[float],
-    gamma: Sequence[float],
+    c: Sequence[float] | np.ndarray,
+    gamma: Sequence[float] | np.ndarray,
     values: np.ndarray,
     lumens: float = 1000.0,
     factor: float = 1.0,

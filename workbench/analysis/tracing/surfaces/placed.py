@@ -51,9 +51,7 @@ class PlacedSurface:
 
     def _seen(self, rays: TracedRays) -> TracedRays:
         """Rays in the coordinates of the element."""
-        with np.errstate(
-            invalid="ignore"
-        ):  # some libraries compute beside the end of an array, too
+        with np.errstate(invalid="ignore"):  # libraries may compute beside its end, too
             position = (rays.position - self._shift) @ self._turn
             direction = np.ascontiguousarray(rays.direction @ self._turn)
         return rays._replace(position=position, direction=direction)
