@@ -37,7 +37,7 @@ _FAR, _NEAR, _BOTH = (26, 26), (58, 76), (122, 76)
 _TRACED, _DRAWN = 9, 1
 # Those of a node where beams run between origins: hits and flux in the order of the trace and in
 # that of the samples, which are drawn in small batches.
-_OF_SAMPLES = 10
+_OF_SAMPLES = 8
 # More of them in the precision of the trace: areas, depths and distances to the rim on two faces;
 # and all that torch keeps where no kernel traces.
 _OF_TWO_FACES, _WITHOUT_KERNEL = 6, 60

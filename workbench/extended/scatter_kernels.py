@@ -157,11 +157,9 @@ class ScatteredRays(NamedTuple):
         normal = self.diffuser.turn[:, 2]
         return np.asarray(normal * np.sign((self.ways @ normal).sum()))
 
-    @property
-    def _origins(self) -> Array:
-        """Places of the rays on the diffuser, shape (k, 3); of a plane receiver."""
-        assert isinstance(self.receiver, Screen)
-        places = _places(self.receiver, self.u, self.v)
+    def _origins(self, screen: Screen) -> Array:
+        """Places of the rays on the diffuser, shape (k, 3), from those on a plane receiver."""
+        places = _places(screen, self.u, self.v)
         normal = self._normal
         far = (places - np.array(self.diffuser.position)) @ normal / (self.ways @ normal)
         return np.asarray(places - far[:, None] * self.ways)
@@ -169,7 +167,7 @@ class ScatteredRays(NamedTuple):
     def _towards(self, u: Array, v: Array) -> tuple[Array, Array]:
         """Directions to places (k, n_v, n_u), and the solid angle of a unit of u and v there."""
         if isinstance(self.receiver, Screen):
-            way = _places(self.receiver, u, v) - self._origins[:, None, None]
+            way = _places(self.receiver, u, v) - self._origins(self.receiver)[:, None, None]
             far = np.linalg.norm(way, axis=-1)
             to = way / far[..., None]
             return to, np.abs(to @ self.receiver.sides[2]) / np.square(far)
@@ -179,7 +177,8 @@ class ScatteredRays(NamedTuple):
         """Where rays come to that go other ways (n, k, 3); not finite for some."""
         if isinstance(self.receiver, Screen):
             right, up, normal = self.receiver.sides
-            origins, middle = self._origins, np.array(self.receiver.position)
+            origins = self._origins(self.receiver)
+            middle = np.array(self.receiver.position)
             far = (middle - origins) @ normal / (ways @ normal)
             hit = origins + np.where(far > 0, far, _FAR)[..., None] * ways - middle
             return np.where(far > 0, hit @ right, np.inf), hit @ up

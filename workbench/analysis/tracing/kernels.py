@@ -150,11 +150,9 @@ def count_on_planes(  # type: ignore[no-untyped-def]
     for ray in range(len(flux)):
         if flux[ray] == 0:
             continue
-        start = _turned(turn, position[ray], shift)
-        way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
+        start, way = _in_scene(turn, shift, position[ray], direction[ray * step])
         for plane in range(len(planes)):
-            column, row = _column_and_row(start, way, planes[plane])
-            column, row = column + n_x / 2, row + n_y / 2
+            column, row = _column_and_row(start, way, planes[plane], pixels)
             # Also not a number, of a ray along the screen, is not in there.
             if 0 <= column < n_x and 0 <= row < n_y:
                 image[plane, int(row) * n_x + int(column)] += flux[ray]
@@ -165,15 +163,18 @@ def count_on_planes(  # type: ignore[no-untyped-def]
 @jit(error_model="numpy")
 def hits_on_plane(position, direction, flux, turn, shift, plane, pixels, places):  # type: ignore[no-untyped-def]
     """Get columns and rows, shape (m, 2), on one screen; see `count_on_planes`."""
-    n_x, n_y = pixels
     step = int(direction.shape[0] > 1)
     for ray in range(len(flux)):
         if flux[ray] == 0:
             continue
-        start = _turned(turn, position[ray], shift)
-        way = _turned(turn, direction[ray * step], (0.0, 0.0, 0.0))
-        column, row = _column_and_row(start, way, plane)
-        places[ray, 0], places[ray, 1] = column + n_x / 2, row + n_y / 2
+        start, way = _in_scene(turn, shift, position[ray], direction[ray * step])
+        places[ray, 0], places[ray, 1] = _column_and_row(start, way, plane, pixels)
+
+
+@jit(error_model="numpy", inline="always")  # a call costs as much
+def _in_scene(turn, shift, position, direction):  # type: ignore[no-untyped-def]
+    """Position and direction of a ray in the scene."""
+    return _turned(turn, position, shift), _turned(turn, direction, (0.0, 0.0, 0.0))
 
 
 @jit(error_model="numpy", inline="always")  # a call costs as much
@@ -188,8 +189,8 @@ def _turned(turn, vector, shift):  # type: ignore[no-untyped-def]
 
 
 @jit(error_model="numpy", inline="always")  # a call costs as much
-def _column_and_row(start, way, plane):  # type: ignore[no-untyped-def]
-    """Column and row from the middle where a ray meets a screen; not finite where it does not."""
+def _column_and_row(start, way, plane, pixels):  # type: ignore[no-untyped-def]
+    """Column and row where a ray meets a screen; not finite where it does not."""
     ahead = along = 0.0
     for k in range(3):
         ahead += (plane[0, k] - start[k]) * plane[1, k]
@@ -200,7 +201,7 @@ def _column_and_row(start, way, plane):  # type: ignore[no-untyped-def]
         from_middle = start[k] + way[k] * path - plane[0, k]
         column += from_middle * plane[2, k]
         row += from_middle * plane[3, k]
-    return column, row
+    return column + pixels[0] / 2, row + pixels[1] / 2
 
 
 @jit(error_model="numpy")

@@ -29,7 +29,8 @@ class Mesh(NamedTuple):
     `column`, `row`, `flux` (n, m): of the nodes, in pixels; infinite hits for those without;
     `along_v` (n, 3), `along_u` (m, 3): parts of a node's flux that belong to the cells before and
     behind it, and 1 for nodes between two cells of equal width, along both axes; `turn` (n,): 1 for
-    odd rows of the grid that they belong to.
+    odd rows of the grid that they belong to. Of several grids that are alike, ``along_v`` and
+    ``turn`` have the rows of one.
     """
 
     column: AnyArray
@@ -58,6 +59,25 @@ class Rings(NamedTuple):
     density: AnyArray
     cells: npt.NDArray[np.int32]
     counts: Index
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def is_inner(mesh, i):  # type: ignore[no-untyped-def]
+    """Whether a row of nodes lies between two rows of cells of equal width."""
+    return mesh.along_v[i % len(mesh.along_v), 2] > 0.0
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def turn_of(mesh, i):  # type: ignore[no-untyped-def]
+    """1 for an odd row of a grid."""
+    return mesh.turn[i % len(mesh.turn)]
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _parts(mesh, i):  # type: ignore[no-untyped-def]
+    """Parts of the flux of two rows of nodes that belong to the cells between them."""
+    count = len(mesh.along_v)
+    return mesh.along_v[i % count, 1], mesh.along_v[(i + 1) % count, 0]
 
 
 @jit(error_model="numpy")
@@ -95,8 +115,9 @@ def load(mesh, i, size, rings):  # type: ignore[no-untyped-def]
     k = np.uintp(i % RING)
     columns, rows = rings.places[0, k], rings.places[1, k]
     numbers, pairs, flux = rings.numbers[k], rings.pairs[k], rings.flux[k]
-    shift(mesh.column, mesh.along_v, mesh.along_u, i, columns)
-    shift(mesh.row, mesh.along_v, mesh.along_u, i, rows)
+    inner = is_inner(mesh, i)
+    shift(mesh.column, mesh.along_u, i, inner, columns)
+    shift(mesh.row, mesh.along_u, i, inner, rows)
     _number(columns, rows, size[1], size[0], numbers)
     none, own, along_u = np.int32(-100 - k), mesh.flux[i], mesh.along_u
     for j in range(np.uintp(len(pairs))):
@@ -134,6 +155,14 @@ def _is_sliver(x_1, y_1, x_2, y_2, area):  # type: ignore[no-untyped-def]
     """Whether a triangle is too narrow to be drawn; it is given by two of its sides."""
     length = max(abs(x_1), abs(y_1), abs(x_2), abs(y_2), 1.0)
     return abs(area) <= SLIVER * length
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _pixel_of(x, y, size):  # type: ignore[no-untyped-def]
+    """Number of the pixel of a place; −1 beside the image."""
+    if 0 <= x < size[1] and 0 <= y < size[0]:
+        return np.int32(y) * np.int32(size[1] + 1) + np.int32(x)
+    return np.int32(-1)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -199,9 +228,9 @@ def _add_triangle(rings, j, corners, half, image, size):  # type: ignore[no-unty
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
     if not _is_sliver(x_1, y_1, x_2, y_2, area):
         return half / area, half
-    x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
-    if adds and 0 <= x < size[1] and 0 <= y < size[0]:
-        image[np.int32(y) * width + np.int32(x)] += half
+    pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
+    if adds and pixel >= 0:
+        image[pixel] += half
     return 0.0, half
 
 
@@ -215,11 +244,11 @@ def add_cells(mesh, i, rings, image, size):  # type: ignore[no-untyped-def]
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
     flux, flux_next, listed = rings.flux[before], rings.flux[after], rings.cells[before]
-    first, second = 0.5 * mesh.along_v[i, 1], 0.5 * mesh.along_v[i + 1, 0]
+    first, second = _parts(mesh, i)
     dense[:] = 0.0
-    count, lands, adds, turn = 0, 0.0, len(image) > 0, mesh.turn[i]
+    count, lands, adds, turn = 0, 0.0, len(image) > 0, turn_of(mesh, i)
     for j in range(np.uintp(len(here))):
-        pixel, half = here[j], first * flux[j] + second * flux_next[j]
+        pixel, half = here[j], 0.5 * (first * flux[j] + second * flux_next[j])
         if pixel == next[j]:
             lands += 2.0 * half if pixel > _NOWHERE else 0.0
             if adds and pixel >= 0:
@@ -276,12 +305,10 @@ def _triangle_back(  # type: ignore[no-untyped-def]
         return seen[other] + part * differ
     if min(p, q, r) == _NOWHERE or (p == q and p == r):
         return 0.0
+    x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
     if density == 0.0:
-        x, y, x_1, y_1, x_2, y_2, _ = _sides(rings.places, j, corners)
-        x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
-        on = 0 <= x < size[1] and 0 <= y < size[0]
-        return seen[np.int32(y) * width + np.int32(x)] if on else 0.0
-    _, _, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
+        pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
+        return seen[pixel] if pixel >= 0 else 0.0
     mean = d_density / area  # over the triangle
     d_area = -0.5 * mean * density
     _put(moved[0], j, corners, d_area * (y_1 - y_2), d_area * y_2, -d_area * y_1)
@@ -298,16 +325,14 @@ def cells_back(mesh, i, rings, seen, size, d_density, moved, d_cell):  # type: i
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
     flux, flux_next, d_dense = rings.flux[before], rings.flux[after], d_density[before]
-    first, second = 0.5 * mesh.along_v[i, 1], 0.5 * mesh.along_v[i + 1, 0]
-    turn = mesh.turn[i]
+    (first, second), turn = _parts(mesh, i), turn_of(mesh, i)
     for j in range(np.uintp(len(d_cell))):
         pixel = here[j]
         if pixel == next[j]:
             d_cell[j] = seen[pixel] if pixel >= 0 else 0.0
             continue
-        half, even, o = (
-            first * flux[j] + second * flux_next[j], (np.int64(j) + turn) % 2 == 0, j + _ONE
-        )  # fmt: skip
+        half, o = 0.5 * (first * flux[j] + second * flux_next[j]), j + _ONE
+        even = (np.int64(j) + turn) % 2 == 0
         one = _triangle_back(
             rings, j, _corners(even, 0, before, after), half, seen, size,
             dense[o, 0], d_dense[o, 0], moved,
@@ -323,7 +348,7 @@ def cells_back(mesh, i, rings, seen, size, d_density, moved, d_cell):  # type: i
 def flux_back(mesh, i, d_cell, d_flux):  # type: ignore[no-untyped-def]
     """Cotangents of the flux of two rows of nodes from those of the cells between them."""
     k, l = i % RING, (i + 1) % RING  # noqa: E741
-    first, second = mesh.along_v[i, 1], mesh.along_v[i + 1, 0]
+    first, second = _parts(mesh, i)
     for j in range(np.uintp(len(d_cell))):
         d_flux[k, j] += first * mesh.along_u[j, 1] * d_cell[j]
         d_flux[l, j] += second * mesh.along_u[j, 1] * d_cell[j]

@@ -16,7 +16,7 @@ from workbench.arrays import AnyArray, Array
 from workbench.optics.kernels import kind_of, threads
 from workbench.optics.kernels.beam_cells import Mesh
 from workbench.optics.kernels.beam_raster import ROUNDING, draw, draw_back
-from workbench.optics.kernels.cell_image import Back, Splits, cell_image, repeated
+from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.polygons import compile_drawing
 
 # Times as many parts where a part needs no image of its own: rows take more time where light is.
@@ -42,7 +42,7 @@ def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Arr
     """See `workbench.optics.kernels.cell_image.Draw`."""
     mesh = _mesh(nodes, splits)
     n_x, n_y = pixels
-    rows = len(mesh.turn)
+    rows = nodes.shape[1]
     count = min(threads.parts(nodes[0].size), threads.images(2 * n_x * n_y), rows)
     at, landed = threads.bounds(rows, count), [0.0] * count
     direct, steps = np.zeros((2, count, n_y, n_x + 1))
@@ -61,14 +61,13 @@ def _mesh(nodes: AnyArray, splits: Splits) -> Mesh:
     along_u, along_v = splits
     lines = np.arange(len(along_v))
     turn = (lines - np.maximum.accumulate(np.where(along_v[:, 0] == 0, lines, 0))) % 2
-    turns = np.tile(turn, nodes.shape[1] // len(turn))
-    return Mesh(nodes[0], nodes[1], nodes[2], repeated(along_v, len(turns)), along_u, turns)
+    return Mesh(nodes[0], nodes[1], nodes[2], along_v, along_u, turn)
 
 
 def _back(nodes: AnyArray, cotangent: Array, splits: Splits) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     mesh, result = _mesh(nodes, splits), np.empty_like(nodes)
-    at = threads.split(len(mesh.turn), nodes[0].size, _SHARES)
+    at = threads.split(nodes.shape[1], nodes[0].size, _SHARES)
     seen, right = np.zeros((2, cotangent.shape[0], cotangent.shape[1] + 1))
     seen[:, :-1] = cotangent
     right[:, :-1] = np.cumsum(cotangent[:, ::-1], axis=1)[:, ::-1]

@@ -25,9 +25,11 @@ from workbench.optics.kernels.beam_cells import (
     add_cells,
     cells_back,
     flux_back,
+    is_inner,
     load,
     make_rings,
     no_cells,
+    turn_of,
 )
 from workbench.optics.kernels.beam_edge import add_edge, see_edge
 from workbench.optics.kernels.node_shift import count_shift, shift_back
@@ -37,15 +39,16 @@ ROUNDING = 1e-15
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _list_edges(turns, i, rings, edges):  # type: ignore[no-untyped-def]
+def _list_edges(mesh, i, rings, edges):  # type: ignore[no-untyped-def]
     """List the edges of triangles with a density that begin at a row of nodes; returns how many.
 
-    `turns`: see `Mesh`; `edges` (5 m, 4): nodes from and to, and triangles on both sides, as
+    `mesh`: see `Mesh`; `edges` (5 m, 4): nodes from and to, and triangles on both sides, as
     numbers within the flat rings; changed.
     """
     density, counts, m = rings.density, rings.counts, np.int64(rings.numbers.shape[1])
     k, before, after = i % RING, (i - 1) % RING, (i + 1) % RING
-    here, above, turn, turn_above = density[k], density[before], turns[i], turns[max(i - 1, 0)]
+    here, above = density[k], density[before]
+    turn, turn_above = turn_of(mesh, i), turn_of(mesh, max(i - 1, 0))
     nodes, next_nodes, cells, cells_above = k * m, after * m, 2 * k * (m + 1), 2 * before * (m + 1)
     count = 0
     for place in range(counts[k]):
@@ -121,7 +124,7 @@ def draw(mesh, begin, end, image, steps):  # type: ignore[no-untyped-def]
             lands += add_cells(mesh, i, rings, image, size)
         else:
             no_cells(i, rings)
-        for edge in range(_list_edges(mesh.turn, i, rings, edges)):
+        for edge in range(_list_edges(mesh, i, rings, edges)):
             a, b, plus, minus = _of_edge(edges, edge)
             add_edge(x[a], y[a], x[b], y[b], density[plus] - density[minus], steps)
     return lands
@@ -156,7 +159,7 @@ def draw_back(mesh, begin, end, cotangent, seen, right, result):  # type: ignore
         else:
             no_cells(i, rings)
         moved[0, after], moved[1, after], d_flux[after], d_density[k] = 0.0, 0.0, 0.0, 0.0
-        count = _list_edges(mesh.turn, i, rings, edges) if i < n else 0
+        count = _list_edges(mesh, i, rings, edges) if i < n else 0
         for edge in range(count):
             a, b, plus, minus = _of_edge(edges, edge)
             beside, from_start, to_end = see_edge(x[a], y[a], x[b], y[b], cotangent, right)
@@ -174,8 +177,9 @@ def draw_back(mesh, begin, end, cotangent, seen, right, result):  # type: ignore
         if i > n:
             shifts[0, before], shifts[1, before] = 0.0, 0.0
         elif i > 0:
-            count_shift(mesh.column, mesh.along_v, i - 1, moved[0, before], shifts[0, before])
-            count_shift(mesh.row, mesh.along_v, i - 1, moved[1, before], shifts[1, before])
+            inner = is_inner(mesh, i - 1)
+            count_shift(mesh.column, i - 1, inner, moved[0, before], shifts[0, before])
+            count_shift(mesh.row, i - 1, inner, moved[1, before], shifts[1, before])
         if begin <= i - 2 < end:
             row = (i - 2) % RING
             for axis, hits in ((0, mesh.column), (1, mesh.row)):

@@ -92,7 +92,7 @@ def _move_back(hits, split, moved, result):  # type: ignore[no-untyped-def]
     rows, m = hits.shape
     counts, along = np.zeros((rows + 2, m), moved.dtype), np.empty(m, moved.dtype)
     for i in range(rows):
-        count_shift(hits, split[0], i, moved[i], counts[i + 1])
+        count_shift(hits, i, split[0][i, 2] > 0.0, moved[i], counts[i + 1])
     for i in range(rows):
         around = counts[i], counts[i + 1], counts[i + 2]
         shift_back(hits, split[1], i, moved[i], around, along, result[i])
@@ -105,7 +105,7 @@ def _moved(nodes, grids, grid, split):  # type: ignore[no-untyped-def]
     hits = np.empty((2, last - first, nodes.shape[2]), nodes.dtype)
     for k in range(2):
         for i in range(last - first):
-            shift(nodes[k, first:last], split[0], split[1], i, hits[k, i])
+            shift(nodes[k, first:last], split[1], i, split[0][i, 2] > 0.0, hits[k, i])
     return hits
 
 

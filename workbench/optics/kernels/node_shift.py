@@ -20,18 +20,19 @@ def _second_diff(before, here, after):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy")
-def shift(hits, along_v, along_u, i, shifted):  # type: ignore[no-untyped-def]
+def shift(hits, along_u, i, inner, shifted):  # type: ignore[no-untyped-def]
     """Shift the hits of a row of nodes by a twelfth of their second differences.
 
-    `hits` (n, m): columns or rows in which rays hit; infinite for those that never do; `along_v`,
-    `along_u`: see `Mesh`; what ends a grid stays where it is, and so does what has a neighbour that
-    hits nowhere or far away; `i`: which row; `shifted` (m,): the result; infinite or within
+    `hits` (n, m): columns or rows in which rays hit; infinite for those that never do; `along_u`
+    (m, 3): see `workbench.optics.kernels.beam_cells.Mesh`; what ends a grid stays where it is, and
+    so does what has a neighbour that hits nowhere or far away; `i`: which row; `inner`: whether it
+    lies between two rows of cells of equal width; `shifted` (m,): the result; infinite or within
     ``FARTHEST``.
     """
     m, kind = np.uintp(hits.shape[1]), shifted.dtype.type
     zero, twelfth, far, here = kind(0), kind(_TWELFTH), kind(FARTHEST), hits[i]
     # Loops have no branches: the compiler makes vectors of them.
-    if along_v[i, 2] > 0.0:
+    if inner:
         before, after = hits[i - 1], hits[i + 1]
         for j in range(m):
             second_diff = _second_diff(before[j], here[j], after[j])
@@ -49,12 +50,12 @@ def shift(hits, along_v, along_u, i, shifted):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def count_shift(hits, along_v, i, moved, counts):  # type: ignore[no-untyped-def]
+def count_shift(hits, i, inner, moved, counts):  # type: ignore[no-untyped-def]
     """Cotangents of the second differences along v of a row of nodes; see `shift_back`."""
     kind = counts.dtype.type
     zero, twelfth, far = kind(0), kind(_TWELFTH), kind(FARTHEST)
     counts[:] = zero
-    if not along_v[i, 2] > 0.0:
+    if not inner:
         return
     before, here, after = hits[i - 1], hits[i], hits[i + 1]
     for j in range(np.uintp(len(counts))):
