@@ -35,17 +35,17 @@ def reference_beam_image(
     n_x, n_y = pixels
     along_u, _ = _splits(nodes, splits)
     column, row = shifted_hits(nodes, splits)
-    flux = cell_flux(nodes, splits)
+    flux, cut = cell_flux(nodes, splits), _cut_cells(column, row, pixels)
     edges, densities, image, landed = [], [], flux.new_zeros(n_y * n_x), 0.0
     for corners, here in _triangles(column.shape, along_u):
         x, y = (hits.flatten()[corners] for hits in (column, row))  # [triangles, 3]
-        half = 0.5 * flux[here]
-        hit = (x + y).isfinite().all(1)
+        half, narrow = 0.5 * flux[here], cut[here]
+        at, parts = _in_two_pixels(x[narrow], y[narrow], n_x)
+        image = image.index_add(0, at.flatten(), (half[narrow] * parts).flatten())
+        landed += half[narrow].sum().item()
+        hit = (x + y).isfinite().all(1) & ~narrow
         x, y, half = x[hit], y[hit], half[hit]
         landed += half.sum().item()
-        near, at, parts = _in_two_pixels(x, y, pixels)
-        image = image.index_add(0, at.flatten(), (half[near] * parts).flatten())
-        x, y, half = x[~near], y[~near], half[~near]
         sides = torch.stack([x[:, 1:] - x[:, :1], y[:, 1:] - y[:, :1]])
         (x_1, x_2), (y_1, y_2) = (side.unbind(1) for side in sides)
         area = 0.5 * (x_1 * y_2 - x_2 * y_1)
@@ -60,27 +60,32 @@ def reference_beam_image(
     return image.to(nodes.dtype), landed
 
 
-def _in_two_pixels(x: Tensor, y: Tensor, pixels: tuple[int, int]) -> tuple[Tensor, Tensor, Tensor]:
-    """Triangles whose corners are in one pixel, or in two neighbouring ones, and their light there.
+def _cut_cells(column: Tensor, row: Tensor, pixels: tuple[int, int]) -> Tensor:
+    """Whether the corners of cells are in one pixel, or in two neighbouring ones."""
+    on, apart = torch.ones_like(column[1:, 1:], dtype=torch.bool), torch.zeros_like(column[1:, 1:])
+    for hits, count in zip((column.detach(), row.detach()), pixels, strict=True):
+        corners = torch.stack([hits[:-1, :-1], hits[:-1, 1:], hits[1:, :-1], hits[1:, 1:]]).floor()
+        on &= ((corners >= 0) & (corners < count)).all(0)
+        apart += torch.where(on, corners.amax(0) - corners.amin(0), 0.0)
+    return on & (apart <= 1)
 
-    Returns which of the triangles they are, both pixels of each, and the parts of their light.
+
+def _in_two_pixels(x: Tensor, y: Tensor, n_x: int) -> tuple[Tensor, Tensor]:
+    """Numbers (2, n) of the pixels of triangles (n, 3) in one or two, and the parts of their light.
+
+    `n_x`: pixels along x.
     """
-    n_x, n_y = pixels
     j, i = x.detach().floor(), y.detach().floor()
-    on = ((j >= 0) & (j < n_x) & (i >= 0) & (i < n_y)).all(1)
-    wide, high = (each.amax(1) - each.amin(1) for each in (j, i))
-    near = on & (wide + high <= 1)
-    along_x = (wide > 0)[near, None]
-    place = torch.where(along_x, x[near], y[near])
+    along_x = (j.amax(1) > j.amin(1))[:, None]
+    place = torch.where(along_x, x, y)
     distance = place - place.detach().amax(1, keepdim=True).floor()
     over = distance >= 0
     alone = torch.where((over.sum(1) == 1)[:, None], over, ~over).int().argmax(1)
     turns = (alone[:, None] + torch.arange(3, device=x.device)) % 3
     first, second, third = distance.gather(1, turns).unbind(1)
-    below = torch.where(over.all(1), torch.inf, (first - second) * (first - third))
-    part = first.square() / below
-    at = (i * n_x + j)[near].long().gather(1, turns[:, :2]).T
-    return near, at, torch.stack([part, 1 - part])
+    part = first.square() / torch.where(over.all(1), torch.inf, (first - second) * (first - third))
+    at = (i * n_x + j).long().gather(1, turns[:, :2]).T
+    return at, torch.stack([part, 1 - part])
 
 
 def shifted_hits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:

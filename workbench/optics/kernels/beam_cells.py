@@ -166,15 +166,18 @@ def _pixel_of(x, y, size):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _axis(p, q, r, width):  # type: ignore[no-untyped-def]
-    """Axis along which corners are in two neighbouring pixels, or in one; −1 if they are in others.
+def _axis(numbers, before, after, j, width):  # type: ignore[no-untyped-def]
+    """Axis along which a cell is in two neighbouring pixels, or in one; −1 if it is in others.
 
-    `p`, `q`, `r`: numbers of the pixels; `width`: from one to the next along axis 1.
+    `width`: numbers from a pixel to the next one along axis 1.
     """
-    low, high = min(p, q, r), max(p, q, r)
-    apart, middle = high - low, p + q + r - low - high
-    near = apart <= 1 or apart == width
-    if low < 0 or not near or (middle != low and middle != high):
+    p, q = numbers[before, j], numbers[before, j + _ONE]
+    r, s = numbers[after, j], numbers[after, j + _ONE]
+    low, high = min(min(p, q), min(r, s)), max(max(p, q), max(r, s))
+    apart = high - low
+    between = (p - low) * (high - p) + (q - low) * (high - q)
+    between += (r - low) * (high - r) + (s - low) * (high - s)
+    if low < 0 or between != 0 or (apart > 1 and apart != width):
         return -1
     return 0 if apart <= 1 else 1
 
@@ -206,20 +209,20 @@ def _cut(places, axis, j, corners, turn):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _add_triangle(rings, j, corners, half, image, size):  # type: ignore[no-untyped-def]
-    """Add the light of a triangle that needs no edges, or return its density; and what lands."""
-    width, adds = np.int32(size[1] + 1), len(image) > 0
+def _add_triangle(rings, j, corners, half, image, size, axis):  # type: ignore[no-untyped-def]
+    """Add the light of a triangle that needs no edges, or return its density; and what lands.
+
+    `axis`: see `_axis`.
+    """
     p, q, r = _at(rings.numbers, j, corners)
-    axis = _axis(p, q, r, width)
     if axis >= 0:
-        if adds:
-            turn = _alone(p, q, r)
-            alone, other, _ = _turned(turn, p, q, r)
-            x, y, z = _cut(rings.places, axis, j, corners, turn)
-            below = (x - y) * (x - z) if alone != other else np.inf
-            part = half * (x * x / below)
-            image[alone] += part
-            image[other] += half - part
+        turn = _alone(p, q, r)
+        alone, other, _ = _turned(turn, p, q, r)
+        x, y, z = _cut(rings.places, axis, j, corners, turn)
+        below = (x - y) * (x - z) if alone != other else np.inf
+        part = half * (x * x / below)
+        image[alone] += part
+        image[other] += half - part
         return 0.0, half
     if min(p, q, r) == _NOWHERE:
         return 0.0, 0.0
@@ -229,7 +232,7 @@ def _add_triangle(rings, j, corners, half, image, size):  # type: ignore[no-unty
     if not _is_sliver(x_1, y_1, x_2, y_2, area):
         return half / area, half
     pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
-    if adds and pixel >= 0:
+    if pixel >= 0:
         image[pixel] += half
     return 0.0, half
 
@@ -238,27 +241,28 @@ def _add_triangle(rings, j, corners, half, image, size):  # type: ignore[no-unty
 def add_cells(mesh, i, rings, image, size):  # type: ignore[no-untyped-def]
     """Add the light of a row of cells that needs no edges, and list the cells that need some.
 
-    `image` (n_y (n_x + 1),): changed; empty where only the list and its densities are wanted.
-    Returns the flux of all triangles whose corners hit the plane, on the image or beside it.
+    `image` (n_y (n_x + 1),): changed. Returns the flux of all triangles whose corners hit the
+    plane, on the image or beside it.
     """
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
     flux, flux_next, listed = rings.flux[before], rings.flux[after], rings.cells[before]
     first, second = _parts(mesh, i)
     dense[:] = 0.0
-    count, lands, adds, turn = 0, 0.0, len(image) > 0, turn_of(mesh, i)
+    count, lands, turn = 0, 0.0, turn_of(mesh, i)
     for j in range(np.uintp(len(here))):
         pixel, half = here[j], 0.5 * (first * flux[j] + second * flux_next[j])
         if pixel == next[j]:
             lands += 2.0 * half if pixel > _NOWHERE else 0.0
-            if adds and pixel >= 0:
+            if pixel >= 0:
                 image[pixel] += 2.0 * half
         elif half != 0.0:
+            axis = _axis(rings.numbers, before, after, j, np.int32(size[1] + 1))
             even = (np.int64(j) + turn) % 2 == 0
             corners = _corners(even, 0, before, after)
-            one, landed = _add_triangle(rings, j, corners, half, image, size)
+            one, landed = _add_triangle(rings, j, corners, half, image, size, axis)
             corners = _corners(even, 1, before, after)
-            two, landed_two = _add_triangle(rings, j, corners, half, image, size)
+            two, landed_two = _add_triangle(rings, j, corners, half, image, size, axis)
             lands += landed + landed_two
             dense[j + _ONE, 0], dense[j + _ONE, 1] = one, two
             listed[count] = j
@@ -284,13 +288,9 @@ def _put(values, j, corners, p, q, r):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _triangle_back(  # type: ignore[no-untyped-def]
-    rings, j, corners, half, seen, size, density, d_density, moved
-):
-    """Adjoint of `_add_triangle`; returns the cotangent of the flux."""
-    width = np.int32(size[1] + 1)
+def _see_triangle(rings, j, corners, half, seen, size, moved, axis):  # type: ignore[no-untyped-def]
+    """Adjoint of `_add_triangle`: the density, or 0 and the cotangent of the flux."""
     p, q, r = _at(rings.numbers, j, corners)
-    axis = _axis(p, q, r, width)
     if axis >= 0:
         turn = _alone(p, q, r)
         alone, other, _ = _turned(turn, p, q, r)
@@ -302,46 +302,69 @@ def _triangle_back(  # type: ignore[no-untyped-def]
         d_y, d_z = half * differ * part * by_y, half * differ * part * by_z
         d_x = 2.0 * half * differ * x * each - d_y - d_z
         _put(moved[axis], j, corners, *_turned((3 - turn) % 3, d_x, d_y, d_z))
-        return seen[other] + part * differ
+        return 0.0, seen[other] + part * differ
     if min(p, q, r) == _NOWHERE or (p == q and p == r):
-        return 0.0
+        return 0.0, 0.0
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
-    if density == 0.0:
-        pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
-        return seen[pixel] if pixel >= 0 else 0.0
-    mean = d_density / area  # over the triangle
-    d_area = -0.5 * mean * density
-    _put(moved[0], j, corners, d_area * (y_1 - y_2), d_area * y_2, -d_area * y_1)
-    _put(moved[1], j, corners, d_area * (x_2 - x_1), -d_area * x_2, d_area * x_1)
-    return mean
+    if half != 0.0 and not _is_sliver(x_1, y_1, x_2, y_2, area):
+        return half / area, 0.0
+    pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
+    return 0.0, seen[pixel] if pixel >= 0 else 0.0
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def cells_back(mesh, i, rings, seen, size, d_density, moved, d_cell):  # type: ignore[no-untyped-def]
-    """Adjoint of `add_cells`: cotangents of hits, and of the flux of each cell.
+def see_cells(mesh, i, rings, seen, size, moved, d_cells):  # type: ignore[no-untyped-def]
+    """Adjoint of `add_cells`, which lists the cells that need edges too.
 
-    `seen` (n_y (n_x + 1),): cotangent of the image.
+    `seen` (n_y (n_x + 1),): cotangent of the image; `moved` (2, RING, m): cotangents of hits;
+    changed; `d_cells` (m - 1,): cotangents of the flux of cells; changed.
     """
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
-    flux, flux_next, d_dense = rings.flux[before], rings.flux[after], d_density[before]
-    (first, second), turn = _parts(mesh, i), turn_of(mesh, i)
-    for j in range(np.uintp(len(d_cell))):
+    flux, flux_next, listed = rings.flux[before], rings.flux[after], rings.cells[before]
+    (first, second), turn, count = _parts(mesh, i), turn_of(mesh, i), 0
+    dense[:] = 0.0
+    for j in range(np.uintp(len(here))):
         pixel = here[j]
         if pixel == next[j]:
-            d_cell[j] = seen[pixel] if pixel >= 0 else 0.0
+            d_cells[j] = seen[pixel] if pixel >= 0 else 0.0
             continue
-        half, o = 0.5 * (first * flux[j] + second * flux_next[j]), j + _ONE
+        half = 0.5 * (first * flux[j] + second * flux_next[j])
+        axis = _axis(rings.numbers, before, after, j, np.int32(size[1] + 1))
         even = (np.int64(j) + turn) % 2 == 0
-        one = _triangle_back(
-            rings, j, _corners(even, 0, before, after), half, seen, size,
-            dense[o, 0], d_dense[o, 0], moved,
-        )  # fmt: skip
-        two = _triangle_back(
-            rings, j, _corners(even, 1, before, after), half, seen, size,
-            dense[o, 1], d_dense[o, 1], moved,
-        )  # fmt: skip
-        d_cell[j] = 0.5 * (one + two)
+        corners = _corners(even, 0, before, after)
+        one, d_one = _see_triangle(rings, j, corners, half, seen, size, moved, axis)
+        corners = _corners(even, 1, before, after)
+        two, d_two = _see_triangle(rings, j, corners, half, seen, size, moved, axis)
+        d_cells[j] = 0.5 * (d_one + d_two)
+        dense[j + _ONE, 0], dense[j + _ONE, 1] = one, two
+        listed[count] = j
+        count += 1 if one != 0.0 or two != 0.0 else 0
+    rings.counts[before] = count
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def densities_back(mesh, i, rings, d_density, moved, d_cells):  # type: ignore[no-untyped-def]
+    """Adjoint of the densities of a row of cells, by those of edges around them.
+
+    `d_density` (RING, m + 1, 2): cotangents of densities; `moved`, `d_cells`: see `see_cells`.
+    """
+    before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
+    turn, dense, d_dense = turn_of(mesh, i), rings.density[before], d_density[before]
+    for place in range(rings.counts[before]):
+        j = np.uintp(rings.cells[before, place])
+        even = (np.int64(j) + turn) % 2 == 0
+        for triangle in range(2):
+            density = dense[j + _ONE, triangle]
+            if density == 0.0:
+                continue
+            corners = _corners(even, triangle, before, after)
+            _, _, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
+            mean = d_dense[j + _ONE, triangle] / area  # over the triangle
+            d_area = -0.5 * mean * density
+            _put(moved[0], j, corners, d_area * (y_1 - y_2), d_area * y_2, -d_area * y_1)
+            _put(moved[1], j, corners, d_area * (x_2 - x_1), -d_area * x_2, d_area * x_1)
+            d_cells[j] += 0.5 * mean
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)

@@ -42,7 +42,7 @@ def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Arr
     """See `workbench.optics.kernels.cell_image.Draw`."""
     mesh = _mesh(nodes, splits)
     n_x, n_y = pixels
-    rows = nodes.shape[1]
+    rows = nodes.shape[1] - 1
     count = min(threads.parts(nodes[0].size), threads.images(2 * n_x * n_y), rows)
     at, landed = threads.bounds(rows, count), [0.0] * count
     direct, steps = np.zeros((2, count, n_y, n_x + 1))

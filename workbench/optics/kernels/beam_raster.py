@@ -1,8 +1,8 @@
 """Beams of light onto pixels, row by row of a beam mesh; and the adjoint.
 
-Each cell between nodes (i, j) and (i + 1, j + 1) is two triangles of equal flux. A triangle whose
+Each cell between nodes (i, j) and (i + 1, j + 1) is two triangles of equal flux. A cell whose
 corners are in one pixel adds its flux there, whatever its shape, and its corners have no gradient;
-on fine meshes most triangles are such. One whose corners are in two neighbouring pixels is cut by
+on fine meshes most cells are such. The triangles of a cell in two neighbouring pixels are cut by
 the border between them. For all others Green's theorem applies: the light of a triangle in a pixel
 is a sum over its edges. An edge that two triangles share is walked once, with the difference of
 their densities. It adds to the pixels that it crosses; what all pixels to the right of these get is
@@ -23,12 +23,13 @@ from workbench.compiled import jit
 from workbench.optics.kernels.beam_cells import (
     RING,
     add_cells,
-    cells_back,
+    densities_back,
     flux_back,
     is_inner,
     load,
     make_rings,
     no_cells,
+    see_cells,
     turn_of,
 )
 from workbench.optics.kernels.beam_edge import add_edge, see_edge
@@ -39,60 +40,63 @@ ROUNDING = 1e-15
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _list_edges(mesh, i, rings, edges):  # type: ignore[no-untyped-def]
-    """List the edges of triangles with a density that begin at a row of nodes; returns how many.
+def _rows(mesh, i, m):  # type: ignore[no-untyped-def]
+    """Where rows begin in the flat rings, of nodes and of triangles, and turns of rows of cells.
 
-    `mesh`: see `Mesh`; `edges` (5 m, 4): nodes from and to, and triangles on both sides, as
-    numbers within the flat rings; changed.
+    Nodes of row i and of the next one; triangles behind row i and before it; their turns.
     """
-    density, counts, m = rings.density, rings.counts, np.int64(rings.numbers.shape[1])
     k, before, after = i % RING, (i - 1) % RING, (i + 1) % RING
-    here, above = density[k], density[before]
-    turn, turn_above = turn_of(mesh, i), turn_of(mesh, max(i - 1, 0))
-    nodes, next_nodes, cells, cells_above = k * m, after * m, 2 * k * (m + 1), 2 * before * (m + 1)
-    count = 0
-    for place in range(counts[k]):
-        j = np.int64(rings.cells[k, place])
-        o, even = j + 1, (j + turn) % 2 == 0
-        below = 1 if even else 0
-        over = 0 if (j + turn_above) % 2 == 0 else 1
-        if here[o, 0] != 0.0 or here[j, 1] != 0.0:
-            _put_edge(edges, count, nodes + j, next_nodes + j, cells + 2 * o, cells + 2 * j + 1)
-            count += 1
-        if above[o, over] != 0.0 or here[o, below] != 0.0:
-            sides = cells_above + 2 * o + over, cells + 2 * o + below
-            _put_edge(edges, count, nodes + j, nodes + o, *sides)
-            count += 1
-        start, end = (nodes + j, next_nodes + o) if even else (next_nodes + j, nodes + o)
-        _put_edge(edges, count, start, end, cells + 2 * o + below, cells + 2 * o + 1 - below)
-        count += 1
-        if here[o, 1] != 0.0 and here[o + 1, 0] == 0.0 and here[o + 1, 1] == 0.0:
-            sides = cells + 2 * o + 2, cells + 2 * o + 1
-            _put_edge(edges, count, nodes + o, next_nodes + o, *sides)
-            count += 1
-    for place in range(counts[before]):
-        j = np.int64(rings.cells[before, place])
-        o, over = j + 1, 0 if (j + turn_above) % 2 == 0 else 1
-        if above[o, over] != 0.0 and here[o, 0] == 0.0 and here[o, 1] == 0.0:
-            sides = cells_above + 2 * o + over, cells + 2 * o
-            _put_edge(edges, count, nodes + j, nodes + o, *sides)
-            count += 1
-    return count
+    turns = turn_of(mesh, i), turn_of(mesh, max(i - 1, 0))
+    return k * m, after * m, 2 * k * (m + 1), 2 * before * (m + 1), turns
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _put_edge(edges, number, start, end, plus, minus):  # type: ignore[no-untyped-def]
-    edges[number, 0], edges[number, 1] = start, end
-    edges[number, 2], edges[number, 3] = plus, minus
+def _edge(rows, j, which):  # type: ignore[no-untyped-def]
+    """Nodes from and to of an edge of a cell, and triangles on both sides, in the flat rings.
+
+    `which`: 0 before it along u, 1 before it along v, 2 its diagonal, 3 behind it along u.
+    """
+    nodes, following, cells, above, (turn, turn_above) = rows
+    o, below = j + 1, 1 - (j + turn) % 2
+    if which == 0:
+        return nodes + j, following + j, cells + 2 * o, cells + 2 * j + 1
+    if which == 1:
+        return nodes + j, nodes + o, above + 2 * o + (j + turn_above) % 2, cells + 2 * o + below
+    if which == 3:
+        return nodes + o, following + o, cells + 2 * o + 2, cells + 2 * o + 1
+    start, end = (nodes + j, following + o) if below == 1 else (following + j, nodes + o)
+    return start, end, cells + 2 * o + below, cells + 2 * o + 1 - below
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _of_edge(edges, number):  # type: ignore[no-untyped-def]
-    """Nodes and triangles of an edge, as `_list_edges` puts them."""
-    return (
-        np.uintp(edges[number, 0]), np.uintp(edges[number, 1]),
-        np.uintp(edges[number, 2]), np.uintp(edges[number, 3]),
-    )  # fmt: skip
+def _is_empty(density, rows, j):  # type: ignore[no-untyped-def]
+    """Whether a cell behind a row of nodes has no triangle with a density."""
+    cell = rows[2] + 2 * (j + 1)
+    return density[cell] == 0.0 and density[cell + 1] == 0.0
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _add(edge, places, density, steps):  # type: ignore[no-untyped-def]
+    (x, y), (a, b, plus, minus) = places, edge
+    add_edge(x[a], y[a], x[b], y[b], density[plus] - density[minus], steps)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _see(edge, places, density, cotangents, moved, d_density):  # type: ignore[no-untyped-def]
+    """Adjoint of `_add`."""
+    (x, y), (a, b, plus, minus), (d_x, d_y) = places, edge, moved
+    if density[plus] == 0.0 and density[minus] == 0.0:
+        return
+    cotangent, right = cotangents
+    beside, from_start, to_end = see_edge(x[a], y[a], x[b], y[b], cotangent, right)
+    jump = density[plus] - density[minus]
+    across_x, across_y = (y[b] - y[a]) * jump, (x[a] - x[b]) * jump
+    d_x[a] += across_x * from_start
+    d_y[a] += across_y * from_start
+    d_x[b] += across_x * to_end
+    d_y[b] += across_y * to_end
+    d_density[plus] -= beside
+    d_density[minus] += beside
 
 
 @jit(error_model="numpy")
@@ -104,29 +108,33 @@ def _flat(places):  # type: ignore[no-untyped-def]
 def draw(mesh, begin, end, image, steps):  # type: ignore[no-untyped-def]
     """Add the light of some rows of cells to an image.
 
-    `mesh`: see `Mesh`; `begin`, `end`: which rows of nodes; the cells behind them are drawn, and
-    all edges that begin there; `image` (n_y (n_x + 1),): light of triangles without edges; changed;
+    `mesh`: see `Mesh`; `begin`, `end`: which rows of cells; edges between them and others are
+    walked for their own side; `image` (n_y (n_x + 1),): light of triangles without edges; changed;
     `steps` (n_y, n_x + 1): changed; minus its sums along rows is all other light. Returns the flux
     of all triangles whose corners hit the plane, on the image or beside it.
     """
-    n, m = mesh.column.shape
+    m = mesh.column.shape[1]
     rings = make_rings(m)
-    edges, (x, y) = np.empty((5 * m, 4), np.int32), _flat(rings.places)
-    density, size, lands = rings.density.reshape(-1), (steps.shape[0], steps.shape[1] - 1), 0.0
-    if begin > 0:
-        load(mesh, begin - 1, size, rings)
+    places, density = _flat(rings.places), rings.density.reshape(-1)
+    size, lands = (steps.shape[0], steps.shape[1] - 1), 0.0
     load(mesh, begin, size, rings)
-    if begin > 0:
-        add_cells(mesh, begin - 1, rings, image[:0], size)
-    for i in range(begin, end):
-        if i + 1 < n:
+    for i in range(begin, end + 1):
+        if i < end:
             load(mesh, i + 1, size, rings)
             lands += add_cells(mesh, i, rings, image, size)
         else:
             no_cells(i, rings)
-        for edge in range(_list_edges(mesh, i, rings, edges)):
-            a, b, plus, minus = _of_edge(edges, edge)
-            add_edge(x[a], y[a], x[b], y[b], density[plus] - density[minus], steps)
+        rows, here, above = _rows(mesh, i, m), rings.cells[i % RING], rings.cells[(i - 1) % RING]
+        for place in range(rings.counts[i % RING]):
+            j = np.int64(here[place])
+            for which in range(3):
+                _add(_edge(rows, j, which), places, density, steps)
+            if _is_empty(density, rows, j + 1):  # else the next cell adds it
+                _add(_edge(rows, j, 3), places, density, steps)
+        for place in range(rings.counts[(i - 1) % RING]):
+            j = np.int64(above[place])
+            if _is_empty(density, rows, j):
+                _add(_edge(rows, j, 1), places, density, steps)
     return lands
 
 
@@ -141,39 +149,39 @@ def draw_back(mesh, begin, end, cotangent, seen, right, result):  # type: ignore
     """
     n, m = mesh.column.shape
     rings = make_rings(m)
-    edges, (x, y) = np.empty((5 * m, 4), np.int32), _flat(rings.places)
     moved, d_flux = np.zeros((2, RING, m)), np.zeros((RING, m))
     d_density = np.zeros((RING, m + 1, 2))
-    (d_x, d_y), density, d_flat = _flat(moved), rings.density.reshape(-1), d_density.reshape(-1)
-    shifts, d_cell, along = np.zeros((2, RING, m)), np.zeros(m - 1), np.empty(m)
-    size, none = cotangent.shape, seen[:0]
+    places, d_places, seen_by = _flat(rings.places), _flat(moved), (cotangent, right)
+    density, d_flat = rings.density.reshape(-1), d_density.reshape(-1)
+    shifts, d_cells, along = np.zeros((2, RING, m)), np.zeros((RING, m - 1)), np.empty(m)
+    size = cotangent.shape
     # Cotangents of a row of nodes are complete after the edges of the next row, and those of its
     # hits after one row more, because the shifts of both neighbours count there.
     first = max(begin - 2, 0)
     load(mesh, first, size, rings)
     for i in range(first, min(end + 2, n + 2)):
         k, before, after = i % RING, (i - 1) % RING, (i + 1) % RING
+        moved[0, after], moved[1, after], d_flux[after], d_density[k] = 0.0, 0.0, 0.0, 0.0
         if i + 1 < n:
             load(mesh, i + 1, size, rings)
-            add_cells(mesh, i, rings, none, size)
+            see_cells(mesh, i, rings, seen, size, moved, d_cells[k])
         else:
             no_cells(i, rings)
-        moved[0, after], moved[1, after], d_flux[after], d_density[k] = 0.0, 0.0, 0.0, 0.0
-        count = _list_edges(mesh, i, rings, edges) if i < n else 0
-        for edge in range(count):
-            a, b, plus, minus = _of_edge(edges, edge)
-            beside, from_start, to_end = see_edge(x[a], y[a], x[b], y[b], cotangent, right)
-            jump = density[plus] - density[minus]
-            across_x, across_y = (y[b] - y[a]) * jump, (x[a] - x[b]) * jump
-            d_x[a] += across_x * from_start
-            d_y[a] += across_y * from_start
-            d_x[b] += across_x * to_end
-            d_y[b] += across_y * to_end
-            d_flat[plus] -= beside
-            d_flat[minus] += beside
+        if i < n:
+            rows, here, above = _rows(mesh, i, m), rings.cells[k], rings.cells[before]
+            for place in range(rings.counts[k]):
+                j = np.int64(here[place])
+                for which in range(3):
+                    _see(_edge(rows, j, which), places, density, seen_by, d_places, d_flat)
+                if _is_empty(density, rows, j + 1):
+                    _see(_edge(rows, j, 3), places, density, seen_by, d_places, d_flat)
+            for place in range(rings.counts[before]):
+                j = np.int64(above[place])
+                if _is_empty(density, rows, j):
+                    _see(_edge(rows, j, 1), places, density, seen_by, d_places, d_flat)
         if first < i < n:
-            cells_back(mesh, i - 1, rings, seen, size, d_density, moved, d_cell)
-            flux_back(mesh, i - 1, d_cell, d_flux)
+            densities_back(mesh, i - 1, rings, d_density, moved, d_cells[before])
+            flux_back(mesh, i - 1, d_cells[before], d_flux)
         if i > n:
             shifts[0, before], shifts[1, before] = 0.0, 0.0
         elif i > 0:
