@@ -71,12 +71,25 @@ def test_light_that_folds_over_itself_adds_up(kind, fused):
     np.testing.assert_allclose(image, [[0.5 / 3, 0.5 / 3 + 0.25, 0.5 / 3 + 0.25]], atol=1e-15)
 
 
+@pytest.fixture
+def fine(rng):
+    """Rays of many cells a pixel that do not fold, some of which are lost."""
+    u, v = np.meshgrid(np.linspace(0, 1, 61), np.linspace(0, 1, 54))
+    column = 11 * u - 0.5 + 0.4 * np.sin(7 * v + 3 * u)
+    row = 9 * v - 0.5 + 0.3 * np.cos(6 * u)
+    nodes = nodes_of(column, row, rng.random(u.shape) / u.size)
+    nodes[:2, rng.random(u.shape) < 0.02] = np.inf
+    return nodes
+
+
 @KINDS
-def test_the_kernel_equals_its_twin(kind, folded, rng):
+@pytest.mark.parametrize("rays", ["folded", "fine"])
+def test_the_kernel_equals_its_twin(kind, rays, rng, request):
+    given = request.getfixturevalue(rays)
     cotangent = torch.tensor(rng.standard_normal((8, 10)))
     found = []
     for fused in (True, False):
-        nodes = folded.clone().requires_grad_()
+        nodes = given.clone().requires_grad_()
         image, landed = image_of(kind, nodes, (10, 8), fused)
         (gradient,) = torch.autograd.grad((image * cotangent).sum(), [nodes])
         found.append((image.detach(), gradient, landed))
@@ -89,16 +102,18 @@ def test_the_kernel_equals_its_twin(kind, folded, rng):
 @KINDS
 @BOTH
 @pytest.mark.parametrize("part", [0, 1, 2], ids=["columns", "rows", "flux"])
-def test_the_gradient_is_that_of_the_image_even_at_folds(kind, fused, part, folded, rng):
+@pytest.mark.parametrize("rays", ["folded", "fine"])
+def test_the_gradient_is_that_of_the_image_even_at_folds(kind, fused, part, rays, rng, request):
+    given = request.getfixturevalue(rays)
     cotangent = torch.tensor(rng.standard_normal((8, 10)))
-    nodes = folded.clone().requires_grad_()
+    nodes = given.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(
         (image_of(kind, nodes, (10, 8), fused)[0] * cotangent).sum(), [nodes]
     )
-    way = torch.zeros_like(folded)
-    way[part] = torch.tensor(rng.standard_normal(folded.shape[1:]))
+    way = torch.zeros_like(given)
+    way[part] = torch.tensor(rng.standard_normal(given.shape[1:]))
     step = 1e-6
-    ahead, back = (image_of(kind, folded + s * way, (10, 8), fused)[0] for s in (step, -step))
+    ahead, back = (image_of(kind, given + s * way, (10, 8), fused)[0] for s in (step, -step))
     rise = ((ahead - back) * cotangent).sum().item() / (2 * step)
     assert (gradient * way).sum().item() == pytest.approx(rise, rel=1e-6, abs=1e-8)
 

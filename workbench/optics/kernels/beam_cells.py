@@ -226,7 +226,7 @@ def _add_triangle(rings, j, corners, half, image, size, axis):  # type: ignore[n
         return 0.0, half
     if min(p, q, r) == _NOWHERE:
         return 0.0, 0.0
-    if p == q and p == r:
+    if p < 0 and p == q and p == r:
         return 0.0, half
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
     if not _is_sliver(x_1, y_1, x_2, y_2, area):
@@ -303,7 +303,7 @@ def _see_triangle(rings, j, corners, half, seen, size, moved, axis):  # type: ig
         d_x = 2.0 * half * differ * x * each - d_y - d_z
         _put(moved[axis], j, corners, *_turned((3 - turn) % 3, d_x, d_y, d_z))
         return 0.0, seen[other] + part * differ
-    if min(p, q, r) == _NOWHERE or (p == q and p == r):
+    if min(p, q, r) == _NOWHERE or (p < 0 and p == q and p == r):
         return 0.0, 0.0
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
     if half != 0.0 and not _is_sliver(x_1, y_1, x_2, y_2, area):
