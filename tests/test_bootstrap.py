@@ -56,6 +56,7 @@ def setting_up(extra=""):
     return [
         f"{sys.executable} -m venv .venv",
         f".venv/bin/python -m pip install --quiet --editable .{extra}",
+        ".venv/bin/python -m compileall -q resources ui workbench",
         f".venv/bin/python -m workbench.analysis.kernels {extra.strip('[]')}".rstrip(),
     ]
 

@@ -131,6 +131,8 @@ def _install(extra: str = "") -> None:
     project = f".[{extra}]" if extra else "."
     if _run([SCRIPTS / "python", "-m", "pip", "install", "--quiet", "--editable", project]) != 0:
         raise SetUpFailed("Installing the Python packages failed; pip's reason is above.")
+    # Python would compile the files at each start where PYTHONDONTWRITEBYTECODE is set: a second.
+    _run([SCRIPTS / "python", "-m", "compileall", "-q", "resources", "ui", "workbench"])
     print("Compiling the tracing kernels (a minute or two, once)", flush=True)
     if _run([SCRIPTS / "python", "-m", "workbench.analysis.kernels", *filter(None, [extra])]) != 0:
         raise SetUpFailed("Compiling the tracing kernels failed; the reason is above.")

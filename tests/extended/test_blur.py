@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from scipy.signal import convolve2d
 
 from workbench.extended.blur import Blur
+from workbench.extended.blurring import convolved, convolved_in_place
 
 BLURS = [
     Blur((3.0, 5.0)),
@@ -73,3 +75,12 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     left, right = parts[4], parts[7]  # in the second row
     x = np.arange(whole.shape[2]) - blur.margin[0]
     assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)
+
+
+@pytest.mark.parametrize("shape", [(3, 5), (1, 4), (6, 2)])
+def test_convolutions_are_those_of_sums(shape, rng):
+    image, kernel = rng.random((9, 8)), rng.random(shape)
+    whole = convolve2d(image, kernel)
+    np.testing.assert_allclose(convolved(image, kernel), whole, atol=1e-12)
+    same = convolve2d(image, kernel, mode="same")
+    np.testing.assert_allclose(convolved_in_place(image, kernel), same, atol=1e-12)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from workbench.analysis.cells.image import CellImage, imaging
 from workbench.analysis.metrics import paper_loss, relative_l2, root
@@ -20,7 +20,7 @@ from workbench.progress import Steps, within
 from workbench.scene import AnyReceiver, Scene
 
 # Student's t of the batches: each of two tests gives a false alarm in at most one of 80,000 checks.
-_T = float(student.isf(1.25e-5 / 2, BATCHES - 1))
+_T = float(-stdtrit(BATCHES - 1, 1.25e-5 / 2))
 # With fewer rays on the receiver, or beside it, their noise is that of counts.
 _COUNTED = 10 * BATCHES
 # With fewer rays in an image, the batches do not give its noise.

@@ -13,7 +13,7 @@ from workbench.design.lens_blur import LensBlur, plan_of
 from workbench.design.lens_state import FurtherLight, LensState, Step
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.extended.blur import Blur
-from workbench.extended.blurring import ImageBlur
+from workbench.extended.blurring import ImageBlur, convolved
 from workbench.extended.deblur import wanted_light
 from workbench.geometry.surface import nets_of
 from workbench.optics.light import Light
@@ -128,9 +128,7 @@ def _mean_kernel(scene: Scene, scattering: ImageBlur | None) -> Array | None:
     if scattering is not None:
         kernels.append(scattering.of_pixels)
     if len(kernels) == 2:
-        from scipy.signal import fftconvolve  # late: it takes long to import
-
-        return np.asarray(fftconvolve(*kernels))
+        return convolved(*kernels)
     return kernels[0] if kernels else None
 
 

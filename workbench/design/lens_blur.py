@@ -19,7 +19,7 @@ from torch.autograd.function import once_differentiable
 
 from workbench.arrays import Array
 from workbench.extended.blur import Blur, changes_at, one_over_the_lens
-from workbench.extended.blurring import ImageBlur, powers
+from workbench.extended.blurring import ImageBlur, convolved_in_place, powers
 from workbench.extended.scattering import Directions
 from workbench.measured.lamps import of_known_size
 from workbench.messages import Message
@@ -340,10 +340,8 @@ def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None
         ]
     best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
     x, y = (_MIDDLE + _STEP * part for part in best.clip(-_FARTHEST, _FARTHEST).tolist())
-    from scipy.signal import fftconvolve  # late: it takes long to import
-
     # Origins make dots of narrow light, which are no difference of the lens.
-    even = [fftconvolve(image, blur.spread()[0], mode="same") for image in (traced, middle)]
+    even = [convolved_in_place(image, blur.spread()[0]) for image in (traced, middle)]
     unlike = np.linalg.norm(even[1] - even[0])
     if unlike >= _EVEN * np.linalg.norm(even[0]):
         return None

@@ -52,6 +52,23 @@ class ImageBlur:
         return np.asarray(np.polynomial.polynomial.polygrid2d(y, x, by_powers))
 
 
+def convolved(image: Array, kernel: Array) -> Array:
+    """All of an image convolved with a kernel, larger than the image by the kernel less a pixel.
+
+    As `scipy.signal.fftconvolve`, which takes most of a second to import.
+    """
+    n_y, n_x = np.add(image.shape, kernel.shape) - 1
+    size = fft.next_fast_len(n_y, real=True), fft.next_fast_len(n_x, real=True)
+    waves = fft.rfft2(image, size) * fft.rfft2(kernel, size)
+    return np.asarray(fft.irfft2(waves, size)[:n_y, :n_x])
+
+
+def convolved_in_place(image: Array, kernel: Array) -> Array:
+    """An image convolved with a kernel, on the pixels of the image."""
+    top, left = ((n - 1) // 2 for n in kernel.shape)
+    return convolved(image, kernel)[top:, left:][: image.shape[0], : image.shape[1]]
+
+
 def powers(x: Array, y: Array, degree: int) -> Array:
     """Products (n, (degree + 1)²) of powers of y and x (n,), as `ImageBlur.factors` has them."""
     return np.asarray(np.polynomial.polynomial.polyvander2d(y, x, [degree, degree]), np.float64)

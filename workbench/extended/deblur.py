@@ -23,7 +23,7 @@ import numpy as np
 
 from workbench.arrays import AnyArray, Array
 from workbench.extended.blur import Blur
-from workbench.extended.blurring import Blurring, near
+from workbench.extended.blurring import Blurring, convolved, near
 from workbench.extended.certificate import Certifier
 from workbench.progress import check_given_up, finished
 
@@ -210,10 +210,8 @@ def wanted_light(target: Array, kernel: Array | None, margin: tuple[int, int]) -
     share, (n_y, n_x), (m_x, m_y) = target / target.sum(), target.shape, margin
     if kernel is None:
         return np.pad(share, ((m_y, m_y), (m_x, m_x)))
-    from scipy.signal import fftconvolve  # slow import
-
     light = spread_light(share, near(kernel[None], share.shape))
-    wide = fftconvolve(light, kernel).clip(min=0) / light.sum()
+    wide = convolved(light, kernel).clip(min=0) / light.sum()
     top, left = ((w - n) // 2 for w, n in zip(wide.shape, share.shape, strict=True))
     wide = np.pad(wide, ((m_y, m_y), (m_x, m_x)))
     cut = wide[top : top + n_y + 2 * m_y, left : left + n_x + 2 * m_x]

@@ -6,13 +6,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy.signal import fftconvolve
 
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
 from workbench.arrays import Array
 from workbench.extended.blur import diffraction
+from workbench.extended.blurring import convolved_in_place
 from workbench.extended.bound import Bound
 from workbench.extended.deblur import deblur_into_spots
 
@@ -63,7 +63,7 @@ def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> Bou
     notify(name, "its bound")
     bound = Bound(scene, target)
     blur = bound.blur.seen_in(scene.receiver.pixels)
-    blurred = fftconvolve(target, blur.spread()[0], mode="same")
+    blurred = convolved_in_place(target, blur.spread()[0])
     found = bound.deblurred
     notify(name, "its bound for spots")
     pixel = 2 * scene.receiver.half_extent[0] / scene.receiver.pixels[0]

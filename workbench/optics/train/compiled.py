@@ -36,7 +36,12 @@ from workbench.scene import BoxFilter, Filter, Scene
 _SMALL = {
     "format": "freeform-scene",
     "version": 3,
-    "source": {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 16},
+    "source": {
+        "kind": "point",
+        "position": [0.0, 0.0, -5.0],
+        "rays": 16,
+        "sampling": "random",  # Sobol sequences of scipy take half a second to import
+    },
     "elements": [
         {
             "kind": "lens",
