@@ -4135,11 +4135,6 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image at this iteration, by the independent check, without ray noise</source>
-            <translation>Relativer L2-Fehler des Bildes bei dieser Iteration, nach der unabhängigen Prüfung, ohne Strahlrauschen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
             <translation>Relativer L2-Fehler dieses Entwurfs, nach der unabhängigen Prüfung, ohne Strahlrauschen; Einzelheiten im Protokoll</translation>
         </message>
@@ -7716,6 +7711,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>optical trains have no such error</source>
+            <translation>optische Systeme haben diesen Fehler nicht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>there is no glass</source>
             <translation>es gibt kein Glas</translation>
         </message>
@@ -7763,11 +7763,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>{scale:g}; from {least:g} to {width:g}</source>
             <translation>{scale:g}; von {least:g} bis {width:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/tolerance_fields.py" />
-            <source>{size:g}; a train has no such error, 0</source>
-            <translation>{size:g}; eine Folge hat keinen solchen Fehler, 0</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />

@@ -4135,11 +4135,6 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image at this iteration, by the independent check, without ray noise</source>
-            <translation>Erreur L2 relative de l'image à cette itération, par la vérification indépendante, sans bruit de rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
             <translation>Erreur L2 relative de cette conception, par la vérification indépendante, sans bruit de rayons ; détails dans le journal</translation>
         </message>
@@ -7716,6 +7711,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>optical trains have no such error</source>
+            <translation>les trains optiques n’ont pas cette erreur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>there is no glass</source>
             <translation>il n'y a pas de verre</translation>
         </message>
@@ -7763,11 +7763,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>{scale:g}; from {least:g} to {width:g}</source>
             <translation>{scale:g} ; de {least:g} à {width:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/tolerance_fields.py" />
-            <source>{size:g}; a train has no such error, 0</source>
-            <translation>{size:g} ; une suite n'a pas une telle erreur, 0</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />

@@ -102,11 +102,11 @@ def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
 
 
 def shows(frame: Frame, session: "Session") -> bool:
-    """Whether a frame shows the task of a session, and its lens if it has one."""
+    """Whether a frame shows the task of a session and its lens; without one, no lens of a run."""
     lens = session.result
-    return lit_alike(frame.session, session) and (
-        lens is None or lens.state.heights == frame.state.heights
-    )
+    if lens is None:
+        return not iterations_before(frame) and lit_alike(frame.session, session)
+    return lens.state.heights == frame.state.heights and lit_alike(frame.session, session)
 
 
 def iterations_before(frame: Frame) -> int:

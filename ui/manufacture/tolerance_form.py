@@ -144,7 +144,7 @@ class ToleranceForm(QWidget):
         return Tolerances.of(data | none)
 
     def _is_there(self, name: str) -> bool:
-        return self._scene is not None and ABOUT[name].there(self._scene)
+        return self._scene is not None and not ABOUT[name].absent(self._scene)
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))

@@ -98,17 +98,11 @@ class RunStatus:
         self._verified = _passing(
             bar,
             tr(
-                "Relative L2 error of the image at this iteration, by the independent check, "
-                "without ray noise"
-            ),
-        )
-        self._check = _passing(
-            bar,
-            tr(
                 "Relative L2 error of this design, by the independent check, without ray noise; "
                 "details are in the log"
             ),
         )
+        self._of_run = self._of_check = ""  # figures of checks: a run's own, and one asked for
         self._bound = _passing(bar, "")
         self._light = _figure(
             bar,
@@ -189,10 +183,13 @@ class RunStatus:
         self._layout.share()
 
     def show_verified(self, figures: str) -> None:
-        self._show(self._verified, figures)
+        self._of_run = figures
+        self._show(self._verified, self._of_check or self._of_run)
 
     def show_check(self, figures: str) -> None:
-        self._show(self._check, figures)
+        """Show the check that was asked for in place of the run's own."""
+        self._of_check = figures
+        self._show(self._verified, self._of_check or self._of_run)
 
     def show_bound(self, figures: str, sentence: str) -> None:
         self._bound.setToolTip(f"<p>{sentence}</p>")

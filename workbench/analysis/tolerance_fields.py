@@ -27,8 +27,7 @@ class ToleranceField:
     tip: str  # "{optic}" stands for the lens or the mirror
     row: str  # its name in a report
     unit: Literal["", "degrees", "length"]
-    there: "Callable[[Scene], bool]" = lambda scene: True  # whether it applies to a scene
-    absent: str = ""  # why it does not apply
+    absent: "Callable[[Scene], str]" = lambda scene: ""  # why it does not apply to a scene
 
     def tip_of(self, optic: str) -> str:
         """The tip for an element of this name."""
@@ -45,16 +44,12 @@ class ToleranceField:
     def check(self, name: str, size: float, scene: "Scene") -> None:
         """Refuse an error that does not apply to a scene or is out of range."""
         angle = math.degrees(size)
-        if size and not self.there(scene):
+        if size and (absent := self.absent(scene)):
             raise Refused(
                 name,
-                Message(
-                    "{angle:g} degrees change nothing: {absent}; 0", angle=angle, absent=self.absent
-                )
+                Message("{angle:g} degrees change nothing: {absent}; 0", angle=angle, absent=absent)
                 if self.unit == "degrees"
-                else Message(
-                    "{size:g} changes nothing: {absent}; 0", size=size, absent=self.absent
-                ),
+                else Message("{size:g} changes nothing: {absent}; 0", size=size, absent=absent),
             )
         if self.unit == "degrees" and not 0 <= size < math.pi / 4:
             raise Refused(name, Message("{angle:g} degrees; at least 0, less than 45", angle=angle))
@@ -66,11 +61,37 @@ def _tolerance(*about: Any, default: Any = 0.0, **more: Any) -> Any:
     return field(default=default, metadata={"about": ToleranceField(*about, **more)})
 
 
-def _between_faces(scene: "Scene") -> bool:
-    return scene.optic.most_faces > 1
+def _one_face(scene: "Scene") -> str:
+    return "" if scene.optic.most_faces > 1 else Message("a mirror has no other face")
 
 
-_ONE_FACE = Message("a mirror has no other face")
+def _of_trains(scene: "Scene") -> str:
+    """Why errors do not apply that are known of one upright element alone."""
+    return Message("optical trains have no such error") if scene.is_train else ""
+
+
+def _between_faces(scene: "Scene") -> str:
+    return _of_trains(scene) or _one_face(scene)
+
+
+def _no_glass(scene: "Scene") -> str:
+    return "" if scene.optic.index > 1 else Message("there is no glass")
+
+
+def _no_distance(scene: "Scene") -> str:
+    return "" if scene.receiver.at_distance else Message("a far field is at no distance")
+
+
+def _turned_alike(scene: "Scene") -> str:
+    if scene.source.turns:
+        return _of_trains(scene)
+    return Message("this source lights the lens alike however it is turned")
+
+
+def _alike_everywhere(scene: "Scene") -> str:
+    if scene.source.moves:
+        return ""
+    return Message("even light from infinitely far is the same everywhere")
 
 
 @dataclass(frozen=True)
@@ -91,16 +112,14 @@ class Tolerances:
         "Largest tilt of the exit face against the entrance",
         "exit face tilted by up to",
         "degrees",
-        there=_between_faces,
-        absent=_ONE_FACE,
+        absent=_between_faces,
     )
     exit_decentre: float = _tolerance(
         "Exit decentre",
         "Largest shift of the exit face over the entrance",
         "exit face decentred by up to",
         "length",
-        there=_between_faces,
-        absent=_ONE_FACE,
+        absent=_between_faces,
     )
     # Uniform.
     index: float = _tolerance(
@@ -108,8 +127,7 @@ class Tolerances:
         "Largest error of the refractive index",
         "index off by up to",
         "",
-        there=lambda scene: scene.optic.index > 1,
-        absent=Message("there is no glass"),
+        absent=_no_glass,
     )
     # Uniform.
     distance: float = _tolerance(
@@ -117,16 +135,14 @@ class Tolerances:
         "Largest error of the screen's distance",
         "distance off by up to",
         "length",
-        there=lambda scene: scene.receiver.at_distance,
-        absent=Message("a far field is at no distance"),
+        absent=_no_distance,
     )
     source_tilt: float = _tolerance(
         "Source tilt",
         "Largest tilt of the source about its middle",
         "source tilt up to",
         "degrees",
-        there=lambda scene: scene.source.turns,
-        absent=Message("this source lights the lens alike however it is turned"),
+        absent=_turned_alike,
     )
     # Uniform in the ball.
     source_shift: float = _tolerance(
@@ -134,8 +150,7 @@ class Tolerances:
         "Largest shift of the source, in any direction",
         "source shift up to",
         "length",
-        there=lambda scene: scene.source.moves,
-        absent=Message("even light from infinitely far is the same everywhere"),
+        absent=_alike_everywhere,
     )
     # RMS and correlation length.
     surface: tuple[float, float] = _tolerance(
@@ -152,8 +167,7 @@ class Tolerances:
         "surface error of the entrance face, RMS",
         "length",
         default=(0.0, 1.0),
-        there=_between_faces,
-        absent=_ONE_FACE,
+        absent=_one_face,
     )
 
     @classmethod
@@ -181,8 +195,8 @@ class Tolerances:
     def check(self, scene: "Scene") -> None:
         """Raise `Refused` with the tolerance if one is not possible for a scene."""
         scene.check_one_image("tolerances")
-        if scene.is_train:
-            _check_train(scene, self.sizes)
+        if len(scene.elements) == 1:
+            scene.check_one_element("tolerances")
         for name, size in self.sizes.items():
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic
@@ -222,15 +236,6 @@ ABOUT: Mapping[str, ToleranceField] = {
 
 PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.default, tuple))
 """Names of the tolerances with an RMS and a correlation length."""
-
-
-def _check_train(scene: "Scene", sizes: Mapping[str, float]) -> None:
-    """Refuse errors that are known of one upright element alone."""
-    if len(scene.elements) == 1:
-        scene.check_one_element("tolerances")
-    for name in ("source_tilt", "exit_tilt", "exit_decentre"):
-        if sizes[name]:
-            raise Refused(name, Message("{size:g}; a train has no such error, 0", size=sizes[name]))
 
 
 def _check_below(name: str, size: float, limit: float, otherwise: str) -> None:

@@ -50,7 +50,7 @@ def outcome(steps):
 
 
 def figures(window):
-    return window.status._check.text()
+    return window.status._verified.text()
 
 
 def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
@@ -62,7 +62,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     found = outcome(steps)
     error = verified_error(found)
     assert figures(window) == f"Verified error {error}"
-    assert window.status._check.isVisible()
+    assert window.status._verified.isVisible()
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
     assert f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %" in log
@@ -88,7 +88,7 @@ def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     assert figures(window).startswith("Verified")  # it is the same lens
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures(window), timeout=60_000)
-    assert not window.status._check.isVisible()
+    assert not window.status._verified.isVisible()
     assert stack.count() == 2
 
 

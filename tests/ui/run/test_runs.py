@@ -163,6 +163,10 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
     assert window.status._verified.text() == "Verified error 1.25 % at iteration 6"
     assert verified(window)[0] == "1.25 %"
+    window.loaded.check.figures_changed.emit("Verified error 1.24 %")
+    assert window.status._verified.text() == "Verified error 1.24 %"
+    window.loaded.check.figures_changed.emit("")
+    assert window.status._verified.text() == "Verified error 1.25 % at iteration 6"
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)

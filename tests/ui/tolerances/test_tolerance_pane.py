@@ -1,5 +1,7 @@
 """The dock that perturbs the shown lens."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -7,7 +9,9 @@ from PySide6.QtCore import Qt
 from tests.ui.hands import fill
 from ui.manufacture import tolerance_pane as pane_module
 from ui.manufacture.tolerance_pane import TolerancePane
+from workbench.analysis.tolerance_fields import ABOUT
 from workbench.analysis.tolerances import Distribution, perturbed
+from workbench.scene import Scene
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 RAYS = 5000
@@ -62,6 +66,20 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     )
     qtbot.waitUntil(lambda: not pane.plot.empty)
     assert pane.form.save.isEnabled()
+
+
+def test_errors_that_trains_do_not_have_have_no_fields(pane, session):
+    def fields():
+        return {name for name in ABOUT if pane.form._row(name).isVisible()}
+
+    before = fields()
+    data = session.scene.to_data()
+    plate = data["elements"][0] | {"name": "plate", "position": [0, 0, 2], "min_thickness": 0.1}
+    plate |= {"faces": [{"shape": "plane"}, {"shape": "plane"}]}
+    train = Scene.from_data(data | {"elements": [data["elements"][0], plate]})
+    pane.show_design(replace(session, scene=train))
+    assert before - fields() == {"exit_tilt", "exit_decentre", "source_tilt"}
+    assert pane.form.accepted()
 
 
 @pytest.mark.parametrize("back", [(Qt.Key.Key_Escape,), (Qt.Key.Key_Z, CTRL)])

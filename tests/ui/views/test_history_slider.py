@@ -85,6 +85,9 @@ def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbo
     designed.commands["undo"].trigger()
     assert not views.history_slider.isVisible() and views.loss._verified == ()
     assert designed.status._verified.text() == ""
+    designed.loaded.control._preview.stop()  # which shows the lens before the run
+    qtbot.waitUntil(lambda: not designed.status._outdated.isHidden())
     designed.commands["redo"].trigger()
+    assert designed.status._outdated.isHidden()
     assert views.history_slider.isVisible() and list(history.frames) == frames
     assert views.loss._verified == verified and designed.status._verified.text()
