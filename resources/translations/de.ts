@@ -3860,6 +3860,11 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
+            <source>light at most {parts}</source>
+            <translation>höchstens {parts} des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
             <source>lower bound {error}</source>
             <translation>untere Schranke {error}</translation>
         </message>
@@ -7593,6 +7598,46 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/focus.py" />
             <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
             <translation>{z:g}: Das Licht kommt quer zur z-Achse auf den Schirm, entlang der sich sein Abstand ändert; {now:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % meets the lens</source>
+            <translation>{part} % treffen die Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % meets the mirror</source>
+            <translation>{part} % treffen den Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % passes the faces at best</source>
+            <translation>{part} % lassen die Flächen bestenfalls durch</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % can be deflected there</source>
+            <translation>{part} % können dorthin abgelenkt werden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % fits into the étendue</source>
+            <translation>{part} % passen in den Lichtleitwert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{reasons}, {reason}</source>
+            <translation>{reasons}, {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>All of the light may land {place}.</source>
+            <translation>Alles Licht kann {place} ankommen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>At most {most} % of the light can land {place}: {reasons}.</source>
+            <translation>Höchstens {most} % des Lichts können {place} ankommen: {reasons}.</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />

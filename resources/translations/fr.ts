@@ -3860,6 +3860,11 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
+            <source>light at most {parts}</source>
+            <translation>lumière au plus {parts}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/checks.py" />
             <source>lower bound {error}</source>
             <translation>borne inférieure {error}</translation>
         </message>
@@ -7593,6 +7598,46 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/focus.py" />
             <source>{z:g}: light comes to the screen across the z axis, along which its distance changes; {now:g}</source>
             <translation>{z:g} : la lumière vient à l'écran en travers de l'axe z, le long duquel sa distance change ; {now:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % meets the lens</source>
+            <translation>{part} % atteint la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % meets the mirror</source>
+            <translation>{part} % atteint le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % passes the faces at best</source>
+            <translation>{part} % traverse les faces au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % can be deflected there</source>
+            <translation>{part} % peut y être dévié</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{part} % fits into the étendue</source>
+            <translation>{part} % tient dans l’étendue optique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>{reasons}, {reason}</source>
+            <translation>{reasons}, {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>All of the light may land {place}.</source>
+            <translation>Toute la lumière peut arriver {place}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/light_limit.py" />
+            <source>At most {most} % of the light can land {place}: {reasons}.</source>
+            <translation>Au plus {most} % de la lumière peut arriver {place} : {reasons}.</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />

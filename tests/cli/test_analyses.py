@@ -28,6 +28,8 @@ def test_json_has_the_bound_and_its_assumptions(freeform, extended):
     assert 0 < found["relative_l2_half_as_wide"] < found["relative_l2_bound"]
     assert 0 < found["on_target_bound"] <= found["efficiency_bound"] <= 1
     assert any("one blur over the whole lens" in each for each in found["assumptions"])
+    (limit,) = found["light_limits"]
+    assert 0 < limit["most"] <= limit["turned"] <= limit["passes"] < limit["meets"] < 1
 
 
 @pytest.fixture(autouse=True)

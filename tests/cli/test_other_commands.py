@@ -40,6 +40,7 @@ class TestValidate:
             "deterministic_left_out",
             "efficiency",
             "ledger",
+            "light_limits",
             "loss",
             "noise",
             "optimiser_difference",
@@ -56,6 +57,7 @@ class TestValidate:
         ]
         assert 100_000 <= figures["rays"] < 110_000
         assert figures["efficiency"] == pytest.approx(0.96**2, rel=1e-6)
+        assert figures["light_limits"][0]["most"] == pytest.approx(0.96**2, rel=1e-6)
         assert sum(figures["ledger"].values()) == pytest.approx(2.0, abs=1e-12)
         # A disc of 0.6 of the half-width that is lit a times too weakly, as if by a square.
         disc = math.pi * 0.36 / 4

@@ -6,12 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from workbench.analysis.light_limit import light_limits
 from workbench.design.task import begin
 from workbench.jobs import JOBS
 from workbench.jobs.estimate import estimating
 from workbench.jobs.job import blur_widths
 from workbench.jobs.lenses import LedRectangle, MirrorJob, SunPlate, Torch
-from workbench.jobs.prospect import _light_of, prospecting
+from workbench.jobs.prospect import prospecting
 from workbench.progress import finished
 from workbench.scene.paths import with_values
 
@@ -96,7 +97,7 @@ def test_an_estimate_of_a_narrow_lamp_counts_what_passes_the_lens_by():
     """Gebhart's view factor, less what both faces reflect at least."""
     job = Torch().with_answers(EVEN | {"lamp_size": [0.5, 0.5]})
     session = begin(coarse(job.scene()), Path("/"))
-    caught = _light_of(session.scene).caught
+    caught = light_limits(session.scene)[0].meets
     estimate = finished(estimating(session))
     assert 0.8 * caught < estimate.light < 0.95 * caught
 

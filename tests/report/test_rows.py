@@ -7,6 +7,7 @@ from resources import path
 from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
 from tests.scenes import changed
+from workbench.analysis.light_limit import light_limits
 from workbench.analysis.validation import validate
 from workbench.cli.validate import print_image
 from workbench.extended.bound import Bound
@@ -20,7 +21,8 @@ GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points"
 
 def test_report_says_what_no_lens_is_below(make_scene, rng):
     found = Bound(make_scene({"source": GRID}), rng.random((32, 32)))
-    least, narrower, blur = bound_rows(found)
+    light, least, narrower, blur = bound_rows(found)
+    assert light == ("light with any lens, at most", f"{light_limits(found.scene)[0].percent} %")
     assert (least.name, least.value) == ("no lens is below", percent(found.relative_l2))
     assert (narrower.name, narrower.value) == (
         "a source half as wide would allow",

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.analysis.validation_figures import Validation
     from workbench.design.snapshot import Result
-    from workbench.extended.bound import Bound
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
 
@@ -282,7 +281,7 @@ class RunCheck(QObject):
 
 
 class BoundOfDesign(QObject):
-    """Computes the lower bound of each new task in a thread."""
+    """Computes the bounds of error and light of each new task in a thread."""
 
     figures_changed = Signal(str, str)
     failed = Signal(str)
@@ -299,32 +298,35 @@ class BoundOfDesign(QObject):
         self._background.close()
 
     def follow(self, session: "Session") -> None:
-        from workbench.extended.bound import Bound  # late: takes long to import
-
-        bound, last = Bound(session.scene, session.target), self._task
-        self._task = session
-        if last is not None and last.target is session.target:
-            before = Bound(last.scene, last.target)
-            if (before.blur, before.certified) == (bound.blur, bound.certified):
-                return
+        last, self._task = self._task, session
+        if last is not None and lit_alike(last, session):
+            return
         self._background.cancel()
         self.figures_changed.emit("", "")
-        if bound.certified:
-            self._background.begin(partial(_in_words, bound), session)
+        self._background.begin(partial(_in_words, session), session)
 
 
-def _in_words(bound: "Bound", task: Task) -> tuple[str, str]:
-    from workbench.extended.bound import percent  # late: takes long to import
+def _in_words(session: "Session", task: Task) -> tuple[str, str]:
+    # Late: both take long to import.
+    from workbench.analysis.light_limit import light_limits
+    from workbench.extended.bound import Bound, percent
 
-    if task.follow(bound.finding()) is None:
-        return "", ""
-    allowed = task.follow(bound.finding_half_as_wide())
-    if allowed is None:
-        return "", ""
-    return (
-        tr("lower bound {error}").format(error=percent(bound.relative_l2)),
-        tr(
+    scene = session.scene
+    limits, bound = light_limits(scene), Bound(scene, session.target)
+    most = ", ".join(dict.fromkeys(f"{limit.percent} %" for limit in limits))
+    figures = [tr("light at most {parts}").format(parts=most)]
+    lights = zip(limits, scene.receivers, strict=True)
+    sentences = list(dict.fromkeys(tr(limit.sentence(scene, each)) for limit, each in lights))
+    if bound.certified:
+        if task.follow(bound.finding()) is None:
+            return "", ""
+        allowed = task.follow(bound.finding_half_as_wide())
+        if allowed is None:
+            return "", ""
+        figures.insert(0, tr("lower bound {error}").format(error=percent(bound.relative_l2)))
+        certified = tr(
             "Certified lower bound of the relative L2 error: {bound}; {error} with a source of "
             "half the width. Details: freeform bound."
-        ).format(bound=bound.short, error=percent(allowed)),
-    )
+        )
+        sentences.insert(0, certified.format(bound=bound.short, error=percent(allowed)))
+    return " · ".join(figures), " ".join(sentences)

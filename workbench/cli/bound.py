@@ -4,22 +4,26 @@ import json
 import sys
 from pathlib import Path
 
+from workbench.analysis.light_limit import light_limits
 from workbench.extended.bound import Bound
 from workbench.files.session import open_design
 from workbench.process import keep_freed_memory
 
 
 def bound(path: Path, as_json: bool) -> None:
-    """Print the lower bound of the error for a scene; raise Refused if it cannot be read."""
+    """Print the bounds of error and light for a scene; raise Refused if it cannot be read."""
     keep_freed_memory()  # a search makes the same arrays over and over
     session = open_design(path)
     for remark in session.picture_remarks:
         print(remark, file=sys.stderr)
-    session.scene.check_one_image("the bound")
-    found = Bound(session.scene, session.target)
+    scene = session.scene
+    found, limits = Bound(scene, session.target), light_limits(scene)
     if as_json:
-        print(json.dumps(found.to_data()))
+        light = [limit.to_data() for limit in limits]
+        print(json.dumps(found.to_data() | {"light_limits": light}))
         return
+    for number, (limit, receiver) in enumerate(zip(limits, scene.receivers, strict=True), start=1):
+        print(f"Image {number}: " * (len(limits) > 1) + limit.sentence(scene, receiver))
     for sentence in found.sentences:
         print(sentence)
     print("\nAssumptions")

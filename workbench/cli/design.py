@@ -103,6 +103,12 @@ def _print_bound(session: Session, result: Result) -> None:
     if bound.certified:
         error = relative_error(result.state, session.target)
         print(f"error {percent(error)} as the run sees it; {bound.short}")
+    elif result.state.account.advice(session.scene) is None:
+        return
+    from workbench.analysis.light_limit import light_limits
+
+    for limit, receiver in zip(light_limits(session.scene), session.scene.receivers, strict=True):
+        print(limit.sentence(session.scene, receiver))
 
 
 def _what_is_written(result: Result | None, output: Path) -> str:

@@ -10,6 +10,7 @@ from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series, with_screen_at
+from workbench.analysis.light_limit import light_limits
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
@@ -60,11 +61,14 @@ def validate(
     own = None if elsewhere else result.state.irradiance
     # The blur of a source through several elements is not known.
     bound = Bound(scene, session.target) if not scene.is_train else None
+    limits = light_limits(scene)
+    most = ", ".join(f"{limit.percent} %" for limit in limits)
     others = [light.irradiance for light in result.state.further]
     if as_json:
         figures = _figures(found, [own, *others], scene)
         if bound and bound.certified:
             figures["relative_l2_bound"] = bound.relative_l2
+        figures["light_limits"] = [limit.to_data() for limit in limits]
         if compared:
             figures["cross_check"] = compared.to_data()
         if series:
@@ -74,6 +78,7 @@ def validate(
         _print_images(found, [own, *others], scene)
         if bound and bound.certified:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
+        print(f"{'light, at most':<18}{most}  (with any lens)")
         if compared:
             _print_compared(compared)
         if series:

@@ -113,7 +113,8 @@ class Bound:
     @property
     def _single(self) -> bool:
         """Whether one blur over the whole lens gives the bound, also where it is 0."""
-        return self.one_blur and not self._measured and not self.scene.is_train
+        several = len(self.scene.images) > 1
+        return self.one_blur and not (several or self._measured or self.scene.is_train)
 
     @property
     def certified(self) -> bool:
@@ -153,6 +154,8 @@ class Bound:
         """The bounds as sentences."""
         if self.scene.is_train:
             return ("No bound is known for a train of several elements, nor for a tilted one.",)
+        if len(self.scene.images) > 1:
+            return ("Of several images, each may be worse than alone: no bound is known.",)
         if max(self.blur.widths) == 0:
             return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:

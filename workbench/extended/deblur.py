@@ -15,9 +15,9 @@ the distance of the result from the optimum, and decides when to stop.
 """
 
 import math
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -48,9 +48,11 @@ _MOST_LIGHT = 6_000_000
 # Steps for the light that a lens should make, and for the error that a source allows.
 _SPREAD_STEPS = 80
 # Cached results: status, check and report of a window need the same one.
-_KEPT = 4
+_KEPT = 8
 # Positions from which less of the light reaches the receiver are left out.
 _LEAST_SHARE = 1e-4
+
+T = TypeVar("T")
 
 
 class Deblurred(NamedTuple):
@@ -87,19 +89,25 @@ def deblur(target: Array, blur: Blur) -> Deblurred:
     return finished(deblurring(target, blur))
 
 
-_kept: dict[tuple[object, ...], Deblurred] = {}
+_kept: dict[tuple[object, ...], object] = {}
 
 
 def deblurring(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
     """Run `deblur` in short steps, so that it can be cancelled; the last results are cached."""
-    key = target.tobytes(), target.dtype.str, target.shape, blur
+    return (yield from _remembered("deblurred", target, blur, _closest))
+
+
+def _remembered(
+    what: str, target: Array, blur: Blur, steps: Callable[[Array, Blur], Generator[None, None, T]]
+) -> Generator[None, None, T]:
+    key = what, target.tobytes(), target.dtype.str, target.shape, blur
     found = _kept.get(key)
     if found is None:
-        found = yield from _closest(target, blur)
+        found = yield from steps(target, blur)
         for old in list(_kept)[: len(_kept) + 1 - _KEPT]:
             _kept.pop(old, None)
         _kept[key] = found
-    return found
+    return cast(T, found)
 
 
 def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
@@ -155,6 +163,10 @@ def error_allowed(target: Array, blur: Blur) -> float:
 
 def error_allowing(target: Array, blur: Blur) -> Generator[None, None, float]:
     """Compute `error_allowed` in short steps, as `deblurring`."""
+    return (yield from _remembered("allowed", target, blur, _allowed))
+
+
+def _allowed(target: Array, blur: Blur) -> Generator[None, None, float]:
     if blur.within_a_pixel:
         return 0.0
     wanted = target / target.sum()

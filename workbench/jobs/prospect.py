@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.analysis.tracing.trace import Trace, added
+from workbench.analysis.light_limit import LightLimit, light_limits
 from workbench.arrays import Array
 from workbench.design.checks import grazed
 from workbench.design.session import Session
@@ -24,7 +24,6 @@ _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
 _SMALL = 0.01  # least error that an estimate resolves
 _ALL = 0.995  # part of the light that counts as all
 _HALF = 0.5  # part of the light below which the lamp is too far away
-_RAYS, _NET = 1 << 16, 4  # of the trace to the first face
 _STEEP = 0.85  # of the largest deflection, from where much light is reflected
 
 
@@ -53,7 +52,7 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
-    light = _light_of(scene)
+    light = light_limits(scene)[0]
     known = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene, light)
     pending = Figure(
         Message("Estimate"), Message("estimating…"), Message("From a coarse design of this task.")
@@ -188,29 +187,8 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
     )
 
 
-class _Light(NamedTuple):
-    """Parts of the emitted flux that meet the element, and that can leave it at most."""
-
-    caught: float
-    leaves: float
-
-
-def _light_of(scene: Scene) -> _Light:
-    """Trace a flat face, which has the least losses."""
-    optic = scene.optic
-    scene = scene.with_net((_NET, _NET))
-    flat = {scene.optic.designed_face: np.full(scene.optic.net_shape, optic.leaving_z)}
-    tally = None
-    for batch in Trace(scene, flat, _RAYS, seed=0).batches(threads=1):
-        tally = added(tally, batch) if batch is not None else tally
-    assert tally is not None  # all batches have been traced
-    caught = 1 - tally.lost.get(f"missed_{optic.called}", 0.0) / tally.emitted
-    enters = caught - tally.lost.get("fresnel_entrance", 0.0) / tally.emitted
-    return _Light(caught, enters * (1 - optic.least_loss))
-
-
-def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
-    optic, caught = scene.optic, light.caught
+def _caught(scene: Scene, light: LightLimit) -> tuple[Figure, ...]:
+    optic, caught = scene.optic, light.meets
     if caught > _ALL:
         return ()
     return (
@@ -226,19 +204,21 @@ def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
     )
 
 
-def _light_at_best(bound: Bound, light: _Light) -> Figure:
-    """Certified upper bound of the light on the bright part of the picture."""
+def _light_at_best(bound: Bound, light: LightLimit) -> Figure:
+    """Upper bound of the light on the bright part of the picture."""
     etendue = min(bound.on_receiver, bound.on_target) if bound.certified else 1.0
     meaning = Message("The rest misses the {optic} or is lost at its faces.", optic=_called(bound))
-    if etendue <= _ALL:
+    most = min(light.most, light.turned * etendue)
+    limited = most < _ALL * light.turned
+    if limited:
         meaning = Message(
             "No more can land where the picture is bright: the light's own image is larger."
         )
     return Figure(
         Message("Light at best"),
-        Message("at most {part:.0f} %", part=100 * light.leaves * etendue),
+        Message("at most {part:.0f} %", part=100 * most),
         meaning,
-        etendue <= _ALL,
+        limited,
     )
 
 

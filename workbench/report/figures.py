@@ -4,6 +4,7 @@ import math
 
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cross_check import CrossCheck
+from workbench.analysis.light_limit import light_limits
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.scatter import IndependentError
@@ -115,10 +116,12 @@ def _pair(one: float, other: float) -> str:
 
 
 def bound_rows(found: Bound) -> tuple[Fact, ...]:
-    """Rows of the lower bound, if the size of the source sets one."""
+    """Rows of the limit of the light, and of the lower bound if the source sets one."""
+    limit = Fact("light with any lens, at most", f"{light_limits(found.scene)[0].percent} %")
     if not found.certified:
-        return ()
+        return (limit,)
     return (
+        limit,
         Fact("no lens is below", percent(found.relative_l2)),
         Fact("a source half as wide would allow", percent(found.half_as_wide)),
         Fact(

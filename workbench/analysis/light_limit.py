@@ -1,0 +1,393 @@
+"""Upper limits of the light that a train can bring to its receivers, whatever its lens is.
+
+Rays of the source are followed through the faces that the design does not change. The faces behind
+them let the most pass at normal incidence, and each deflection costs light: by Fresnel's equations,
+and all of it from the critical angle on. A ray to the receiver needs at least the deflection of
+`workbench.geometry.reach.least_turn` in all.
+
+Étendue is conserved (Winston, Miñano, Benítez, *Nonimaging Optics*, 2005, chapter 2): rays of the
+source fill at most the étendue between the last element and the receiver. Most light comes there if
+the rays of the highest radiance, times what can be left of them, fill it.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from workbench.analysis.tracing.elements import Crossings, TracedRays, joined
+from workbench.analysis.tracing.interfaces import DielectricBoundary, reflectances
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.sources.sampling import BATCHES
+from workbench.analysis.tracing.train import OpticalTrain
+from workbench.arrays import Array
+from workbench.design.limits import CLOSEST, bounded
+from workbench.geometry.outlines import outline_named, outline_of
+from workbench.geometry.reach import incidence, largest_turn, least_turn
+from workbench.geometry.surface import nets_of
+from workbench.messages import Message
+from workbench.scene import (
+    AnyReceiver,
+    AreaSource,
+    CollimatedSource,
+    Diffuser,
+    Element,
+    Lens,
+    Scene,
+    SplineFace,
+)
+from workbench.scene.train import leaving
+
+_RAYS = 1 << 16  # of all lines of the light together
+# Deflections from 0 to 90 degrees at which the transmittance of faces is tabulated.
+_TURNS = 2049
+# Standard errors of the mean of the batches that are added to it.
+_SURE = 3.0
+_SAME = 5e-4  # parts of the light that are no difference in words
+_SIDES = 64  # of the polygon around an elliptic aperture
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(32)
+
+
+class LightLimit(NamedTuple):
+    """Upper limits of light, as parts of the emitted flux, each on the way of the one before."""
+
+    meets: float  # meets the first element
+    passes: float  # is neither reflected nor absorbed, at best
+    turned: float  # can be deflected to the receiver, too
+    most: float  # reaches the receiver: fits into the étendue, too
+
+    def to_data(self) -> dict[str, float]:
+        """All limits by name, for JSON."""
+        return self._asdict()
+
+    @property
+    def percent(self) -> str:
+        """The limit in per cent, rounded up."""
+        return _percent(self.most)
+
+    def sentence(self, scene: Scene, receiver: AnyReceiver) -> Message:
+        """The limit, and what makes it."""
+        place, optic = Message(receiver.place), scene.first.called
+        steps = (
+            Message("{part} % meets the {optic}", part=_percent(self.meets), optic=optic),
+            Message("{part} % passes the faces at best", part=_percent(self.passes)),
+            Message("{part} % can be deflected there", part=_percent(self.turned)),
+            Message("{part} % fits into the étendue", part=_percent(self.most)),
+        )
+        reasons = None
+        for before, after, step in zip((1.0, *self), self, steps, strict=False):
+            if after < before - _SAME:
+                both = reasons and Message("{reasons}, {reason}", reasons=reasons, reason=step)
+                reasons = both or step
+        if reasons is None:
+            return Message("All of the light may land {place}.", place=place)
+        return Message(
+            "At most {most} % of the light can land {place}: {reasons}.",
+            most=self.percent,
+            place=place,
+            reasons=reasons,
+        )
+
+
+def light_limits(scene: Scene) -> tuple[LightLimit, ...]:
+    """Return the limits of each image of a scene.
+
+    They hold for every lens within the bounds of the scene's faces; means over random rays are
+    raised by three standard errors.
+
+    Examples
+    --------
+    Both faces of a lens of index 1.5 reflect 4 % at normal incidence:
+
+    >>> from resources import path
+    >>> from workbench.files.session import open_design
+    >>> (found,) = light_limits(open_design(path("examples", "flame.json")).scene)
+    >>> round(found.most, 4)
+    0.9216
+    """
+    lines = [_Line.of(line.scene, line.part) for line in scene.lines]
+    return tuple(_limit(scene, lines, receiver) for receiver in scene.receivers)
+
+
+class _Rays(NamedTuple):
+    """Rays of a batch behind the faces that the design does not change."""
+
+    met: float  # part of the flux that meets the first element
+    flux: Array  # (m,)
+    etendue: Array  # (m,), what the rays stand for; 0 if the source has no size
+    place: Array  # (m, 3), in the scene
+    way: Array  # (m, 3)
+
+
+class _Line(NamedTuple):
+    """A line of the light: its rays, and what the faces behind them can do."""
+
+    part: float
+    batches: Sequence[_Rays]
+    # (_TURNS,), the most that all faces let pass of light that they deflect by so much in all, or
+    # by more; None if they deflect without losses.
+    passing: Array
+    faces: int
+
+    @classmethod
+    def of(cls, scene: Scene, part: float) -> "_Line":
+        scene = _with_small_nets(scene)
+        number, shaped = _first_shaped(scene)
+        before = sum(len(each.placed_faces) for each in scene.elements[:number]) + shaped
+        heights = {
+            face: scene.element_of(face).place_of(face, *np.zeros((2, *net.shape)))
+            for face, net in nets_of(scene).items()
+        }
+        count = max(_RAYS // len(scene.lines), BATCHES)
+        train = OpticalTrain.of(scene, heights, count, 0, Pose(), scene.receivers[:1])
+        batches = [_followed(scene, train, before, batch) for batch in range(BATCHES)]
+        if shaped:
+            batches = [_to_lowest(scene.elements[number], rays) for rays in batches]
+        passing, faces = _passing(scene.elements[number:], shaped, scene.source.wavelength)
+        return cls(part, batches, passing, faces)
+
+    def passed(self, turn: Array) -> Array:
+        """The most of each ray that the faces let pass, deflected by an angle in all."""
+        step = math.pi / 2 / (_TURNS - 1)
+        # Each face may count as deflecting less than it does, by less than a step.
+        index = np.floor(turn / step).astype(int) - (self.faces - 1)
+        return np.asarray(self.passing[index.clip(0, _TURNS - 1)])
+
+
+def _with_small_nets(scene: Scene) -> Scene:
+    """The scene with few control points: no light is followed to faces that have some."""
+    for number in scene.designed_numbers:
+        element = scene.elements[number]
+        for placed in element.placed_faces:
+            if isinstance(placed.face, SplineFace):
+                points = tuple(degree + 1 for degree in placed.face.degree)
+                element = element.shaped(placed.name, control_points=points)
+        scene = scene.with_element(number, element)
+    return scene
+
+
+def _first_shaped(scene: Scene) -> tuple[int, int]:
+    """Index of the first element with a B-spline face, and of that face within it."""
+    return next(
+        (number, index)
+        for number, element in enumerate(scene.elements)
+        for index, placed in enumerate(element.placed_faces)
+        if isinstance(placed.face, SplineFace)
+    )
+
+
+def _followed(scene: Scene, train: OpticalTrain, before: int, batch: int) -> _Rays:
+    source, first = scene.entrance
+    rays = joined(list(train.source.batch(batch)))
+    emitted = float(rays.flux.sum()) * (1 + train.source.beside)
+    inside = outline_of(first).contains(*rays.position[:, :2].T)
+    rays = rays._replace(flux=np.where(inside, rays.flux, 0.0) / max(emitted, 1e-300))
+    etendue = rays.flux / _radiance(source, first, rays.direction)
+    met = float(rays.flux.sum())
+    for face, boundary in train.faces[:before]:
+        rays, _ = boundary.turn(rays, face.meet(rays))
+    alive = rays.flux > 0  # others are anywhere
+    own = rays.position[alive] + [0.0, 0.0, first.front_z]
+    way = np.broadcast_to(rays.direction, rays.position.shape)[alive]
+    if not scene.first.upright:
+        own, way = scene.first.in_scene(own), way @ scene.first.turn.T
+    return _Rays(met, rays.flux[alive], etendue[alive], own, way)
+
+
+def _to_lowest(element: Element, rays: _Rays) -> _Rays:
+    """Rays within a lens where its back face can be at the earliest; others left by the side."""
+    assert isinstance(element, Lens)
+    low, _ = element.height_range or (-math.inf, math.inf)
+    lowest = max(element.z_min, element.base.extent(element.half_width)[0] + low)
+    ahead = rays.way @ element.turn[:, 2]
+    length = (lowest - element.seen(rays.place)[:, 2]) / np.where(ahead > 0, ahead, math.inf)
+    length = length.clip(min=0)
+    place = rays.place + length[:, None] * rays.way
+    inside = outline_of(element).contains(*element.seen(place)[:, :2].T)
+    flux = np.where(inside, rays.flux * np.exp(-element.absorption * length), 0.0)
+    return rays._replace(place=place, flux=flux)
+
+
+def _passing(elements: Sequence[Element], first: int, wavelength: float) -> tuple[Array, int]:
+    """The table of `_Line.passing` for the faces of elements from one of the first on."""
+    lossless, faces = 1.0, []
+    for number, element in enumerate(each.lit(wavelength) for each in elements):
+        if isinstance(element, Lens):
+            skipped = first if number == 0 else 0
+            faces += _faces_of(element)[skipped:]
+            if not skipped:
+                lossless *= math.exp(-element.absorption * _thinnest(element))
+        else:
+            lossless *= 1 - element.least_loss
+    table = lossless * np.eye(1, _TURNS)[0]
+    for face in faces:
+        table = _one_after_other(table, face)
+    # What is less deflected passes more: the largest of all that are deflected by more.
+    table = np.maximum.accumulate(table[::-1])[::-1]
+    straight = all(isinstance(element, Lens) for element in elements)
+    return (table if straight else np.full(_TURNS, table[0])), max(len(faces), 1)
+
+
+def _faces_of(lens: Lens) -> list[Array]:
+    """Transmittance (_TURNS,) of both faces of a lens by the deflection there; 0 beyond it."""
+    turn = np.linspace(0, math.pi / 2, _TURNS)
+    n, (entering, leaving_) = lens.index, reflectances(lens)
+    inside = incidence(turn, n)
+    possible = turn < largest_turn(n)
+    boundaries = (
+        (DielectricBoundary(1.0, n, "", entering), inside + turn),
+        (DielectricBoundary(n, 1.0, "", leaving_), inside),
+    )
+    found = []
+    for boundary, angle in boundaries:
+        angle = np.where(possible, angle, 0.0)
+        way = np.column_stack([np.sin(angle), np.zeros(_TURNS), np.cos(angle)])
+        crossings = Crossings(np.zeros((_TURNS, 3)), np.array([[0.0, 0.0, 1.0]]), np.ones(_TURNS))
+        passed, _ = boundary.turn(TracedRays(crossings.position, way, crossings.flux), crossings)
+        part = np.where(possible, passed.flux, 0.0)
+        found.append(np.maximum.accumulate(part[::-1])[::-1])
+    return found
+
+
+def _one_after_other(one: Array, other: Array) -> Array:
+    """What two faces let pass at best that share a deflection."""
+    found = np.zeros(_TURNS)
+    for index in np.flatnonzero(one):
+        np.maximum(found[index:], one[index] * other[: _TURNS - index], out=found[index:])
+    return found
+
+
+def _thinnest(lens: Lens) -> float:
+    if lens.designed:
+        return lens.min_thickness
+    (_, front), (back, _) = (
+        (placed.z + z for z in placed.face.undesigned.extent(lens.half_width))
+        for placed in lens.placed_faces
+    )
+    return max(back - front, 0.0)
+
+
+def _limit(scene: Scene, lines: Sequence[_Line], receiver: AnyReceiver) -> LightLimit:
+    room = _etendue(scene, receiver)
+    onwards = 1 if leaving(scene.source, scene.elements, receiver)[2] > 0 else -1
+    found = np.zeros((BATCHES, len(LightLimit._fields)))
+    for line in lines:
+        for batch, rays in enumerate(line.batches):
+            turn = least_turn(receiver, rays.place, rays.way, onwards)
+            turned = rays.flux * line.passed(turn)
+            passes = rays.flux.sum() * line.passing[0]
+            most = _filling(turned, rays.etendue, room)
+            found[batch] += np.multiply(line.part, (rays.met, passes, turned.sum(), most))
+    error = found.std(axis=0, ddof=1) / math.sqrt(BATCHES)
+    limits = np.minimum(found.mean(axis=0) + _SURE * error, 1.0)
+    return LightLimit(*np.minimum.accumulate(limits).tolist())
+
+
+def _filling(flux: Array, etendue: Array, room: float) -> float:
+    """The most flux of rays that together have no more than an étendue."""
+    if etendue.sum() <= room:
+        return float(flux.sum())
+    order = np.argsort(-flux / np.where(etendue > 0, etendue, 1e-300))
+    filled = np.cumsum(etendue[order])
+    part = ((room - filled) / np.where(etendue[order] > 0, etendue[order], 1.0) + 1).clip(0, 1)
+    return float(flux[order] @ part)
+
+
+def _radiance(source: Any, optic: Element, way: Array) -> Array | float:
+    """Radiance of rays of a source, as part of its flux; infinite where its size is not known.
+
+    Of a Gaussian beam it is that on its axis.
+    """
+    if isinstance(source, AreaSource):
+        area = outline_named(source.outline, source.half_width).area
+        if source.emission == "lambertian":
+            return 1 / (math.pi * area)
+        return np.asarray(1 / (2 * math.pi * area * (way @ source.facing).clip(min=1e-300)))
+    if isinstance(source, CollimatedSource) and source.continuous:
+        versine = 2 * math.sin(math.radians(source.angular_diameter) / 4) ** 2
+        waist, solid_angle = source.profile.radius, 2 * math.pi * versine
+        if math.isfinite(waist):
+            return 2 / (math.pi * waist**2) / solid_angle
+        facing = (1 - versine / 2) * float(source.heading[2])
+        return 1 / (4 * math.prod(optic.half_width) * facing * solid_angle)
+    return math.inf
+
+
+def _etendue(scene: Scene, receiver: AnyReceiver) -> float:
+    """Étendue of all rays from the last element to a receiver; infinite where it has no bound."""
+    last = scene.elements[-1].lit(scene.source.wavelength)
+    if isinstance(last, Diffuser) or (last.designed and not last.free):
+        return math.inf
+    near, far = _ends(scene, last)
+    if receiver.stands_at is None:
+        return _to_angles(last, abs(far - near), receiver)
+    return _to_plane(last, near, far, receiver)
+
+
+def _ends(scene: Scene, last: Element) -> tuple[float, float]:
+    """Where light can leave an element, z from its front to the receiver."""
+    if last.free:
+        last = bounded(scene, CLOSEST) if isinstance(last, Lens) else last
+        low, high = last.z_min, last.z_max
+        if last.height_range is not None:
+            down, up = last.height_range
+            least, most = last.base.extent(last.half_width)
+            low, high = max(low, least + down), min(high, most + up)
+    else:
+        placed = last.placed_faces[-1]
+        low, high = (placed.z + z for z in placed.face.undesigned.extent(last.half_width))
+    return (low, high) if last.onwards > 0 else (high, low)
+
+
+def _to_angles(last: Element, height: float, receiver: AnyReceiver) -> float:
+    """Projected area of the box that holds the face, over the directions of a far field."""
+    left, right, bottom, top = np.radians(receiver.bounds)
+    h, v = (
+        (low + high) / 2 + (high - low) / 2 * _NODES for low, high in ((left, right), (bottom, top))
+    )
+    weight = np.outer(_WEIGHTS, np.cos(v) * _WEIGHTS) * (right - left) * (top - bottom) / 4
+    h, v = np.meshgrid(h, v, indexing="ij")
+    way = np.stack([np.cos(v) * np.sin(h), np.sin(v), np.cos(v) * np.cos(h)], axis=-1)
+    x, y, z = np.moveaxis(way @ (last.turn * [[1], [1], [last.onwards]]), -1, 0)
+    rim = outline_of(last).boundary(_SIDES)[:, :, None, None]
+    wide = 2 * np.abs(rim[:, 0] * y - rim[:, 1] * x).max(axis=0)
+    return float((weight * (outline_of(last).area * np.abs(z) + height * wide)).sum())
+
+
+def _to_plane(last: Element, near: float, far: float, receiver: AnyReceiver) -> float:
+    """Étendue from a polygon to the receiver, by Lambert's formula at places of the receiver.
+
+    The polygon is across the element's axis at its end; all light from the face between `near` and
+    `far` passes through it on its way to the receiver.
+    """
+    corners = last.seen(receiver.outline(last).reshape(-1, 3))
+    ahead = (corners[:, 2] - far) * last.onwards
+    if ahead.min() <= 0:
+        return math.inf
+    part = (abs(far - near) / (ahead + abs(far - near)))[:, None]
+    half = np.array(last.half_width)
+    low = np.minimum((1 - part) * -half + part * corners[:, :2], -half).min(axis=0)
+    high = np.maximum((1 - part) * half + part * corners[:, :2], half).max(axis=0)
+    outline = outline_of(last)
+    rim = outline.boundary(_SIDES)[:-1] / (1 if outline.whole else math.cos(math.pi / _SIDES))
+    if (low < -half).any() or (high > half).any():
+        rim = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    rim = last.in_scene(np.column_stack([rim, np.full(len(rim), far)]))
+    (r_x, r_y), (right, up, across) = receiver.half_extent, receiver.sides
+    x, y = (each.ravel() for each in np.meshgrid(r_x * _NODES, r_y * _NODES))
+    place = receiver.stands_at + x[:, None] * right + y[:, None] * up
+    towards = rim - place[:, None]
+    if ((towards @ across) > 0).any() and ((towards @ across) < 0).any():
+        return math.inf
+    unit = towards / np.linalg.norm(towards, axis=2, keepdims=True)
+    following = np.roll(unit, -1, axis=1)
+    cross = np.cross(unit, following)
+    sine = np.linalg.norm(cross, axis=2)
+    angle = np.arctan2(sine, (unit * following).sum(axis=2))
+    seen = np.abs((angle / np.where(sine > 0, sine, 1.0) * (cross @ across)).sum(axis=1)) / 2
+    return float(seen @ np.outer(_WEIGHTS, _WEIGHTS).ravel() * r_x * r_y)
+
+
+def _percent(part: float) -> str:
+    return f"{math.ceil(1000 * part - 1e-6) / 10:.1f}"
