@@ -122,7 +122,7 @@ EXAMPLES = (
         "phone-torch",
         _LIGHTS,
         "Phone torch",
-        "The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.",
+        "The LED of a telephone, close to the lens, blurs the letter's edges.",
     ),
     Example(
         "led-rectangle",

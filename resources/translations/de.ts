@@ -250,8 +250,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.</source>
-            <translation>Die LED eines Telefons, nahe der Linse, macht die Kanten unscharf: die Schranke beachten.</translation>
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
+            <translation>Die LED eines Telefons, nahe der Linse, macht die Kanten unscharf.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -8205,6 +8205,31 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>erster Entwurf: {tried}; genommen: {best}</translation>
         </message>
         <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Other elements, or a tilt, change the blur</source>
+            <translation>Weitere Elemente oder eine Neigung ändern die Unschärfe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Each of several images may be worse than alone</source>
+            <translation>Jedes von mehreren Bildern kann schlechter sein als allein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Rays of a file need not come evenly from one place</source>
+            <translation>Strahlen einer Datei müssen nicht gleichmäßig von einem Ort kommen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>A lamp so near is blurred less by the rim of the lens than by its middle</source>
+            <translation>Eine so nahe Lampe wird vom Rand der Linse weniger verwischt als von ihrer Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>A curved entrance face can make the image of the source smaller</source>
+            <translation>Eine gekrümmte Eintrittsfläche kann das Bild der Quelle verkleinern</translation>
+        </message>
+        <message>
             <location filename="../../workbench/extended/scattering.py" />
             <source>light of a diffuser on {kind} cannot be computed; use a plane or a far field</source>
             <translation>Licht eines Diffusors auf {kind} kann nicht berechnet werden; eine Ebene oder ein Fernfeld verwenden</translation>
@@ -8726,13 +8751,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Rays of a file need not come evenly from one place.</source>
-            <translation>Strahlen einer Datei müssen nicht gleichmäßig von einem Ort kommen.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>A lamp so near is blurred less by the rim of the lens than by its middle.</source>
-            <translation>Eine so nahe Lampe wird vom Rand der Linse weniger verwischt als von ihrer Mitte.</translation>
+            <source>not known; {error} for the light found</source>
+            <translation>nicht bekannt; {error} mit dem gefundenen Licht</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />

@@ -250,8 +250,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.</source>
-            <translation>La LED d'un téléphone, près de la lentille, rend les bords flous : voir la borne.</translation>
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
+            <translation>La LED d'un téléphone, près de la lentille, rend les bords flous.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -8205,6 +8205,31 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>première conception : {tried} ; retenu : {best}</translation>
         </message>
         <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Other elements, or a tilt, change the blur</source>
+            <translation>D’autres éléments, ou une inclinaison, changent le flou</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Each of several images may be worse than alone</source>
+            <translation>Chacune de plusieurs images peut être moins bonne que seule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>Rays of a file need not come evenly from one place</source>
+            <translation>Les rayons d’un fichier ne viennent pas forcément d’un seul endroit, uniformément</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>A lamp so near is blurred less by the rim of the lens than by its middle</source>
+            <translation>Une lampe si proche est moins floutée par le bord de la lentille que par son milieu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/bound.py" />
+            <source>A curved entrance face can make the image of the source smaller</source>
+            <translation>Une face d’entrée courbe peut réduire l’image de la source</translation>
+        </message>
+        <message>
             <location filename="../../workbench/extended/scattering.py" />
             <source>light of a diffuser on {kind} cannot be computed; use a plane or a far field</source>
             <translation>la lumière d'un diffuseur sur {kind} ne peut pas être calculée ; utiliser un plan ou un champ lointain</translation>
@@ -8726,13 +8751,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Rays of a file need not come evenly from one place.</source>
-            <translation>Les rayons d'un fichier ne viennent pas forcément uniformément d'un même endroit.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>A lamp so near is blurred less by the rim of the lens than by its middle.</source>
-            <translation>Une lampe si proche est moins floutée par le bord de la lentille que par son milieu.</translation>
+            <source>not known; {error} for the light found</source>
+            <translation>inconnu ; {error} avec la lumière trouvée</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />

@@ -11,7 +11,9 @@ from workbench.arrays import Array
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.blurring import Blurring
 from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed, error_allowing
+from workbench.messages import Message
 from workbench.scene import Scene
+from workbench.scene.faces import PlaneFace
 
 # Parts of the target's peak up to where a pixel is black.
 _BLACK = 0.01
@@ -96,35 +98,35 @@ class Bound:
         return min(float(share) * self.blur.part_in(self._seen), 1.0)
 
     @property
-    def known(self) -> bool:
-        """Whether the size of the source sets a bound.
-
-        Of several images, each may be worse than alone: none is known of them together; nor of
-        rays of a file, whose blur need not be even; nor of a train of several elements.
-        """
-        several = len(self.scene.images) > 1 or self.scene.is_train
-        none = several or self._measured or self.blur.within_a_pixel
-        return not none
-
-    @property
-    def _measured(self) -> bool:
-        return bool(self.scene.source.light_files)
-
-    @property
-    def _single(self) -> bool:
-        """Whether one blur over the whole lens gives the bound, also where it is 0."""
-        several = len(self.scene.images) > 1
-        return self.one_blur and not (several or self._measured or self.scene.is_train)
+    def blurred(self) -> bool:
+        """Whether the source blurs the only image by more than a pixel."""
+        return len(self.scene.images) == 1 and not self.blur.within_a_pixel
 
     @property
     def certified(self) -> bool:
-        """Whether the bound is known and holds for all lenses; else it is an estimate."""
-        return self.known and self.one_blur
+        """Whether the size of the source sets a bound that holds for all lenses."""
+        return self.blurred and self.unknown is None
 
     @property
-    def one_blur(self) -> bool:
-        """See `one_over_the_lens`."""
-        return one_over_the_lens(self.scene)
+    def unknown(self) -> Message | None:
+        """Why light that is blurred by one blur is no bound of all lenses; None where it is one.
+
+        With two curved faces a lens can be a beam expander, which narrows angles.
+        """
+        scene = self.scene
+        if scene.is_train:
+            return Message("Other elements, or a tilt, change the blur")
+        if len(scene.images) > 1:
+            return Message("Each of several images may be worse than alone")
+        if scene.source.light_files:
+            return Message("Rays of a file need not come evenly from one place")
+        if not one_over_the_lens(scene):
+            return Message(
+                "A lamp so near is blurred less by the rim of the lens than by its middle"
+            )
+        if not isinstance(scene.optic.entrance, PlaneFace):
+            return Message("A curved entrance face can make the image of the source smaller")
+        return None
 
     @property
     def short(self) -> str:
@@ -152,20 +154,16 @@ class Bound:
     @property
     def sentences(self) -> tuple[str, ...]:
         """The bounds as sentences."""
-        if self.scene.is_train:
-            return ("No bound is known for a train of several elements, nor for a tilted one.",)
-        if len(self.scene.images) > 1:
-            return ("Of several images, each may be worse than alone: no bound is known.",)
+        if len(self.scene.images) > 1 or self.scene.diffuser is not None:
+            return (f"{self.unknown}: no bound is known.",)
         if max(self.blur.widths) == 0:
             return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:
             return ("The source blurs the image by less than a pixel: its size sets no bound.",)
-        if self._measured:
-            return ("Rays of a file need not come evenly from one place: no bound is known.",)
-        if not self.one_blur:
+        if self.unknown:
             return (
-                "The source is nearer than twice the width of the lens, whose rim blurs it less "
-                "than its middle: no bound is known.",
+                f"{self.unknown}: no bound is known. The best light found with the blur behind "
+                f"the middle of the lens is {percent(self.deblurred.error)} off.",
             )
         found = [
             f"No lens of this size can be below {percent(self.relative_l2)} with this source; "
@@ -185,7 +183,7 @@ class Bound:
     def to_data(self) -> dict[str, Any]:
         """All figures, for JSON."""
         return {
-            "relative_l2_bound": self.relative_l2 if self._single else None,
+            "relative_l2_bound": self.relative_l2 if self.unknown is None else None,
             "relative_l2_reached": self.deblurred.error,
             "relative_l2_half_as_wide": self.half_as_wide,
             "efficiency_bound": self.on_receiver,

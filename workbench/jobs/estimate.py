@@ -85,7 +85,7 @@ def estimating(session: Session) -> Generator[float, None, Estimate | None]:
 
 def _least(session: Session) -> Generator[float, None, float]:
     bound = Bound(session.scene, session.target)
-    if not bound.known:
+    if not bound.blurred or session.scene.source.light_files or session.scene.is_train:
         return 0.0
     steps = bound.finding_soon()
     while True:

@@ -61,7 +61,7 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     estimated = _estimated(scene, (yield from estimating(session)))
     yield Prospect(None, (estimated, *known, _proposal(session)))
     bound, picture = Bound(scene, session.target), session.target
-    if bound.known:
+    if bound.blurred:
         picture = (yield from bound.finding()).image.clip(min=0)
     figures = (
         estimated,
@@ -230,11 +230,10 @@ def _error_at_best(bound: Bound, slopes: Slopes) -> Figure:
         return Figure(name, unknown, why, True)
     if max(bound.blur.widths) == 0 or bound.blur.within_a_pixel:
         return Figure(name, unknown, Message("The size of the light sets no bound."))
-    if not bound.known:
-        return Figure(name, unknown, Message("Rays of a file need not come evenly from one place."))
-    if not bound.one_blur:
-        why = Message("A lamp so near is blurred less by the rim of the lens than by its middle.")
-        return Figure(name, unknown, why)
+    if bound.unknown:
+        found = percent(bound.deblurred.error)
+        unknown = Message("not known; {error} for the light found", error=found)
+        return Figure(name, unknown, Message("{sentence}.", sentence=bound.unknown))
     least = bound.relative_l2
     if least <= 0:
         return Figure(name, unknown, Message("The light is small enough for this picture."))
