@@ -37,7 +37,9 @@ def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene,
     first = Bounds(make_scene(FREE), corner).first["lens.back"]
     assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
     assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
-    assert short.share > 0.1
+    heights = last.state.heights["lens.back"]
+    assert np.abs(heights - 0.5).max() <= 0.05
+    assert short.share == pytest.approx((np.abs(heights - 0.5) >= 0.05 * (1 - 2 * 0.003)).mean())
 
 
 def test_a_run_whose_range_is_too_small_says_so_at_once_and_stops_early(make_scene, corner):

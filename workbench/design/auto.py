@@ -20,7 +20,7 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array, Mask
-from workbench.design.bounds import Bounds, FreeHeights
+from workbench.design.bounds import Bounds
 from workbench.design.descent import Evaluation, FaceWaves, descend, descents_of
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
@@ -63,21 +63,22 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     # Without light on the screen there is no gradient.
     goes_on = bounds.start is not None and step.state.account.on_screen > 0
     if goes_on or bounds.first is None:
-        parameters = free.parameters(before)
+        start = free.nearest(before)
     else:
         first = {face: bounds.limits[face].nearest(each) for face, each in bounds.first.items()}
-        parameters = free.parameters(_joined(first, before, locked))
-        image = finest_image(scene, target, free.heights(parameters), mirrored)
+        start = free.nearest(_joined(first, before, locked))
+        image = finest_image(scene, target, start, mirrored)
     descents = descents_of(image)
     steps = descend(
         image,
-        partial(_evaluated, image, free=free, smoothness=smoothness),
-        parameters,
+        partial(_evaluated, image, smoothness=smoothness),
+        start,
         lambda descent: FaceWaves(
-            parameters, descent.power, mirrored, free.widths, image.blur_widths, descent.longest
+            start, descent.power, mirrored, image.blur_widths, descent.longest
         ),
         descents[-1:] if goes_on else descents,
         scene.run.iterations + goes_on,
+        free.ends,
     )
     if goes_on:
         next(steps)  # has been shown
@@ -123,19 +124,16 @@ def _joined(
 def _evaluated(
     image: AnyImage,
     x: Tensor,
-    parameters: Mapping[str, Tensor],
+    heights: Mapping[str, Tensor],
     *,
-    free: FreeHeights,
     smoothness: Smoothness | None,
 ) -> Evaluation[Step]:
-    """What a descent minimises over x, from which parameters come."""
-    heights = free.heights(parameters)
+    """What a descent minimises over x, from which heights come."""
     error, step = image.compare(heights)
     value = error.square().sum()
     if smoothness is not None:
         penalty = smoothness.penalty(heights)
         value = value + penalty
-    if smoothness is not None:
         step = smoothness.judged(step, penalty)
 
     def differentiate() -> Tensor:

@@ -1,7 +1,7 @@
 """Bounds of the control heights of a run, and whether the task fits within them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -22,18 +22,16 @@ _AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what 
 
 @dataclass(frozen=True)
 class HeightRange:
-    """Open interval of each control height of a face, entered through tanh.
+    """Interval of each control height of a face; a locked one has both ends at its height.
 
-    De Koning et al. (2023), eqs. 10 and 28. By the convex-hull property the whole face then keeps
-    within the limits, and both faces apart by the minimal thickness, at every iteration. All arrays
-    have the shape (n_u, n_v), in scene units.
+    By the convex-hull property the whole face then keeps within the limits, and both faces apart by
+    the minimal thickness. The paper's method enters the open interval through tanh: de Koning et
+    al. (2023), eqs. 10 and 28. All arrays have the shape (n_u, n_v), in scene units.
     """
 
-    # Ends of the interval.
     lower: Tensor
     upper: Tensor
     rest: Tensor  # parameters of the undesigned lens: base plus the middle of the height range
-    kept: Tensor | None = None  # heights that no parameter changes; NaN where one does
 
     @classmethod
     def within(
@@ -51,19 +49,16 @@ class HeightRange:
         """
         if not np.isfinite(limits.upper).all():
             raise ValueError("the lens has neither a height range nor a maximal thickness")
-        ends = limits.lower, limits.upper
-        parts = (*ends, _inside(limits.undesigned, *ends))
-        found = cls(*(torch.as_tensor(part, device=device) for part in parts))
-        if locked is None:
-            return found
-        heights = found.heights(found.rest).cpu().numpy() if start is None else start
-        kept = torch.as_tensor(np.where(locked, heights, np.nan), device=device)
-        return replace(found, kept=kept)
+        lower, upper = limits.lower, limits.upper
+        if locked is not None:
+            kept = limits.undesigned if start is None else start
+            lower, upper = np.where(locked, kept, lower), np.where(locked, kept, upper)
+        parts = lower, upper, _inside(limits.undesigned, lower, upper)
+        return cls(*(torch.as_tensor(part, device=device) for part in parts))
 
     def heights(self, parameters: Tensor) -> Tensor:
         """Control heights of parameters."""
-        free = self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
-        return free if self.kept is None else torch.where(self.kept.isnan(), free, self.kept)
+        return self.lower + (self.upper - self.lower) * (0.5 * torch.tanh(parameters) + 0.5)
 
     def parameters(self, heights: Array) -> Tensor:
         """Parameters of control heights; heights at or beyond an end go just inside it."""
@@ -87,11 +82,6 @@ class FreeHeights(dict[str, HeightRange]):
             for face, z in rest.items()
         }
 
-    @property
-    def widths(self) -> dict[str, float]:
-        """How wide the ranges are on average, scene units."""
-        return {face: (each.upper - each.lower).mean().item() for face, each in self.items()}
-
     def heights(self, parameters: Mapping[str, Tensor]) -> dict[str, Tensor]:
         """Control heights of parameters."""
         return {face: each.heights(parameters[face]) for face, each in self.items()}
@@ -100,11 +90,26 @@ class FreeHeights(dict[str, HeightRange]):
         """Parameters of control heights; see `HeightRange.parameters`."""
         return {face: each.parameters(heights[face]) for face, each in self.items()}
 
+    @property
+    def ends(self) -> tuple[dict[str, Tensor], dict[str, Tensor]]:
+        """Least and largest control heights."""
+        lower = {face: each.lower for face, each in self.items()}
+        return lower, {face: each.upper for face, each in self.items()}
+
+    def nearest(self, heights: Mapping[str, Array]) -> dict[str, Tensor]:
+        """Control heights cut off at the ends of their intervals."""
+        return {
+            face: torch.as_tensor(heights[face], device=each.lower.device).clamp(
+                each.lower, each.upper
+            )
+            for face, each in self.items()
+        }
+
 
 def _inside(heights: Array, lower: Array, upper: Array) -> Array:
     # At the very ends the parameter would be infinite and its gradient 0 for ever.
-    y = np.clip(2 * (heights - lower) / (upper - lower) - 1, -0.999, 0.999)
-    return np.arctanh(y)
+    width = np.where(upper > lower, upper - lower, 1.0)
+    return np.arctanh(np.clip(2 * (heights - lower) / width - 1, -0.999, 0.999))
 
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at

@@ -8,9 +8,9 @@ ones; so a wave is made small in proportion to a power of its periods per lens.
 import math
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -32,8 +32,6 @@ _DAMPED = 0.435
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
-# The most that a step may change a parameter: far out tanh is flat, and heights stay there.
-_MAX_STEP = 0.3
 # Steps that together have to gain something: five with so many beams, more where each costs less.
 _STEPS, _BEAMS, _MOST_STEPS = 5, 768**2, 8
 # Smaller errors are below the error of the image itself.
@@ -90,6 +88,7 @@ class Waves:
         self._squares = (periods / damped) ** -power  # of sizes
         for axis, count in enumerate(shape):
             np.moveaxis(self._squares, axis, 0)[math.ceil(longest * count) :] = 0.0
+        self._mirrored_axes = [axis for axis in (0, 1) if mirrored[axis]]
         if mirrored[0]:
             self._squares[1::2] = 0.0
         if mirrored[1]:
@@ -103,13 +102,18 @@ class Waves:
         amplitudes = self._squares * dctn(gradient.cpu().numpy(), norm="ortho")
         return torch.as_tensor(idctn(amplitudes, norm="ortho")).to(gradient)
 
+    def even(self, net: Tensor) -> Tensor:
+        """The part of a net (n_u, n_v) that is a mirror image of itself, where waves have to be."""
+        for axis in self._mirrored_axes:
+            net = (net + net.flip(axis)) / 2
+        return net
+
 
 class FaceWaves:
     """Waves over the nets of several faces, whose values lie one after the other.
 
     `like` (n_u, n_v): A net of each face; `power`, `mirrored`, `blur_widths`, `longest`: see
-    `Waves`; `widths`: by how much about heights change with a parameter of each face. A wave of any
-    face then changes heights by as much: light does not mind how wide the range of a face is.
+    `Waves`.
     """
 
     def __init__(
@@ -117,7 +121,6 @@ class FaceWaves:
         like: Mapping[str, Tensor],
         power: float,
         mirrored: tuple[bool, bool],
-        widths: Mapping[str, float],
         blur_widths: tuple[float, float] = (0.0, 0.0),
         longest: float = 1.0,
     ) -> None:
@@ -125,8 +128,6 @@ class FaceWaves:
             face: Waves(each.shape, power, mirrored, blur_widths, longest)
             for face, each in like.items()
         }
-        widest = max(widths.values())
-        self._factors = {face: widest / widths[face] for face in like}
 
     def values(self, nets: Mapping[str, Tensor]) -> Tensor:
         """The values of the net of each face one after the other, shape (points,)."""
@@ -142,12 +143,12 @@ class FaceWaves:
     def eased(self, gradient: Tensor) -> Tensor:
         """See `Waves`; shape (points,) for all faces."""
         nets = self.nets(gradient)
-        return self.values(
-            {
-                face: self._factors[face] ** 2 * each.eased(nets[face])
-                for face, each in self._waves.items()
-            }
-        )
+        return self.values({face: each.eased(nets[face]) for face, each in self._waves.items()})
+
+    def even(self, values: Tensor) -> Tensor:
+        """See `Waves`; shape (points,) for all faces."""
+        nets = self.nets(values)
+        return self.values({face: each.even(nets[face]) for face, each in self._waves.items()})
 
 
 Seen = TypeVar("Seen", covariant=True)
@@ -188,16 +189,16 @@ def remembered(count: int) -> int:
 def minimise(
     objective: Objective[Seen],
     x: Tensor,
-    max_step: float = math.inf,
     eased: Callable[[Tensor], Tensor] = lambda gradient: gradient,
+    ends: tuple[Tensor, Tensor] | None = None,
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     `objective`: takes a point, shape (n,), and returns an `Evaluation` with a value that is not
-    negative; `x` (n,): where to begin; `max_step`: the most by which a step changes any coordinate;
-    `eased`: takes a gradient, and gives the direction in which the objective falls most steeply by
-    the measure in which steps are equally easy: linear, symmetric and positive. By default the
-    gradient itself. Yields the beginning, then each accepted point.
+    negative; `x` (n,): where to begin; `eased`: takes a gradient, and gives the direction in which
+    the objective falls most steeply by the measure in which steps are equally easy: linear,
+    symmetric and positive. By default the gradient itself. `ends` (n,): least and largest value of
+    each coordinate; by default there are none. Yields the beginning, then each accepted point.
 
     Notes
     -----
@@ -205,54 +206,86 @@ def minimise(
     algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
     would reach 0 if the objective fell on at this rate: no length to be set by hand. With ``eased``
     the steps are those of a descent in other coordinates, without going there and back: of
-    amplitudes a of a change W a, if it is W Wᵀ.
+    amplitudes a of a change W a, if it is W Wᵀ. Coordinates at an end to which the objective falls
+    are held there for a step; the others are followed along the path that is projected into the
+    ends (Bertsekas, Projected Newton methods, 1982).
     """
+    low, high = ends or (torch.full_like(x, -math.inf), torch.full_like(x, math.inf))
     pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
+    x = x.clamp(low, high)
     here = objective(x)
     yield x, here
     while True:
-        direction = _direction(pairs, here, eased)
-        slope = torch.dot(here.gradient, direction).item()
-        if not slope < 0:
+        direction = _direction(pairs, here, eased, _free(x, here.gradient, low, high))
+        if not torch.dot(here.gradient, direction).item() < 0:
             return
-        step = min(1.0, max_step / direction.abs().max().item())
+        step = 1.0
         for _ in range(_MAX_TRIALS):
-            there = objective(x + step * direction)
-            if there.value <= here.value + _ARMIJO * step * slope:
+            reached = (x + step * direction).clamp(low, high)
+            moved = reached - x
+            there = objective(reached)
+            # Not above 0, also where the ends have turned the way.
+            slope = min(torch.dot(here.gradient, moved).item(), 0.0)
+            if there.value <= here.value + _ARMIJO * slope:
                 break
             # Minimum of the parabola through both values and the slope, kept within reason.
-            curvature_part = there.value - here.value - step * slope
-            step *= min(max(-0.5 * step * slope / curvature_part, 0.1), 0.5)
+            curvature_part = there.value - here.value - slope
+            step *= min(max(-0.5 * slope / curvature_part, 0.1), 0.5)
         else:
             if not pairs:
                 return
             pairs.clear()  # the model of the curvature is stale: once more from the gradient
             continue
-        moved, gradient = step * direction, here.gradient
-        x, here = x + moved, there
+        gradient = here.gradient
+        x, here = reached, there
         yield x, here  # before its gradient, which the last point does without
         turned = here.gradient - gradient
-        product = torch.dot(moved, turned).item()
-        if product > 1e-10 * (moved.norm() * turned.norm()).item():
-            pairs.append(_Pair(moved, turned, product))
+        pairs.extend(_pairs(moved, turned))
+
+
+def _pairs(moved: Tensor, turned: Tensor) -> Iterator[_Pair]:
+    """The pair of a step, if it shows a curvature."""
+    product = torch.dot(moved, turned).item()
+    if product > 1e-10 * (moved.norm() * turned.norm()).item():
+        yield _Pair(moved, turned, product)
+
+
+def _free(x: Tensor, gradient: Tensor, low: Tensor, high: Tensor) -> Tensor | None:
+    """1 where a coordinate may change, 0 where it is held at an end; None where all may."""
+    held = ((x <= low) & (gradient >= 0)) | ((x >= high) & (gradient <= 0))
+    return (~held).to(x) if held.any() else None
 
 
 def _direction(
-    pairs: deque[_Pair], here: Evaluation[Seen], eased: Callable[[Tensor], Tensor]
+    pairs: Sequence[_Pair],
+    here: Evaluation[Seen],
+    eased: Callable[[Tensor], Tensor],
+    free: Tensor | None,
 ) -> Tensor:
-    """Minus the inverse of the Hessian as the pairs know it, times the gradient."""
+    """Minus the inverse of the Hessian as the pairs know it, times the gradient.
+
+    Both of the ``free`` coordinates alone.
+    """
+
+    def eased_free(gradient: Tensor) -> Tensor:
+        return eased(gradient) if free is None else free * eased(gradient)
+
+    gradient = here.gradient
+    if free is not None:
+        among = (_pairs(pair.moved * free, pair.turned * free) for pair in pairs)
+        pairs, gradient = list(chain.from_iterable(among)), free * gradient
     if not pairs:
-        steepest = eased(here.gradient)
-        square = torch.dot(here.gradient, steepest).clamp_min(1e-300)
+        steepest = eased_free(gradient)
+        square = torch.dot(gradient, steepest).clamp_min(1e-300)
         return steepest * (-here.value / square)
-    q = -here.gradient
+    q = -gradient
     factors = []
     for moved, turned, product in reversed(pairs):
         factor = torch.dot(moved, q).item() / product
         factors.append(factor)
         q.sub_(turned, alpha=factor)
     _, turned, product = pairs[-1]
-    q = eased(q) * (product / torch.dot(turned, eased(turned)))
+    q = eased_free(q) * (product / torch.dot(turned, eased_free(turned)))
     for (moved, turned, product), factor in zip(pairs, reversed(factors), strict=True):
         q.add_(moved, alpha=factor - torch.dot(turned, q).item() / product)
     return q
@@ -268,24 +301,26 @@ def descents_of(image: AnyImage) -> tuple[Descent, ...]:
 def descend(
     image: AnyImage,
     evaluated: Callable[[Tensor, Mapping[str, Tensor]], Evaluation[Step]],
-    parameters: Mapping[str, Tensor],
+    heights: Mapping[str, Tensor],
     waves_of: Callable[[Descent], FaceWaves],
     descents: Sequence[Descent],
     left: int,
+    ends: tuple[Mapping[str, Tensor], Mapping[str, Tensor]] | None = None,
 ) -> Generator[Step, None, str]:
     """Minimise by one descent after the other, for as many steps as are left.
 
-    `image`: by which lenses are compared; `evaluated`: evaluates all parameters, shape (points,),
-    which it also gets as the net of each face; `parameters` (n_u, n_v): where to begin; `waves_of`:
-    makes the waves of a descent; `descents`: at least one; `left`: the most steps. Yields that of
-    the beginning, then those of all descents. Returns why the last descent ended of its own accord.
-    Raises `UnbalancedAccount` if the light of the beginning does not add up. Of a later trial this
-    makes its step shorter.
+    `image`: by which lenses are compared; `evaluated`: evaluates all heights, shape (points,),
+    which it also gets as the net of each face; `heights` (n_u, n_v): where to begin; `waves_of`:
+    makes the waves of a descent; `descents`: at least one; `left`: the most steps; `ends`
+    (n_u, n_v): least and largest heights. Yields that of the beginning, then those of all descents.
+    Returns why the last descent ended of its own accord. Raises `UnbalancedAccount` if the light of
+    the beginning does not add up. Of a later trial this makes its step shorter.
     """
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
     every = [waves_of(descent) for descent in descents]
     waves = every[-1]
-    x = waves.values(parameters)
+    x = waves.values(heights)
+    within = None if ends is None else (waves.values(ends[0]), waves.values(ends[1]))
 
     begun = False
 
@@ -299,10 +334,10 @@ def descend(
                 raise
             return Evaluation(math.inf, lambda: torch.zeros_like(x), None)
         begun = True
-        return found
+        return replace(found, differentiate=lambda: waves.even(found.differentiate()))
 
     for number, descent in enumerate(descents):
-        found = minimise(objective, x, _MAX_STEP, every[number].eased)
+        found = minimise(objective, x, every[number].eased, within)
         if number:
             next(found)  # has been shown
         errors: list[float] = []
