@@ -7616,8 +7616,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/light_limit.py" />
-            <source>{part} % can be deflected there</source>
-            <translation>{part} % können dorthin abgelenkt werden</translation>
+            <source>{part} % can be sent there</source>
+            <translation>{part} % können dorthin gelangen</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/light_limit.py" />

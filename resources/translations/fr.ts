@@ -7616,8 +7616,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/light_limit.py" />
-            <source>{part} % can be deflected there</source>
-            <translation>{part} % peut y être dévié</translation>
+            <source>{part} % can be sent there</source>
+            <translation>{part} % peut y être envoyé</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/light_limit.py" />

@@ -1,10 +1,12 @@
 """Upper limits of the light: closed forms, and lenses that are traced."""
 
+import json
 import math
 
 import numpy as np
 import pytest
 
+from resources import path
 from tests.scenes import changed
 from workbench.analysis.light_limit import light_limits
 from workbench.analysis.tracing.trace import Trace, added
@@ -100,6 +102,20 @@ def test_etendue_limits_a_wide_sun_before_a_narrow_far_field():
     share = receiver / (math.pi * math.sin(math.radians(10)) ** 2)
     assert (1 - R) ** 2 * share <= found * 1.001
     assert found < 1.05 * share  # sides of the box that holds the face see a little more
+
+
+def test_a_lambertian_diffuser_sends_little_to_a_receiver():
+    """Gebhart's view factor of a rectangle opposite a point."""
+    data = json.loads(path("examples", "diffuser-lens.json").read_text())
+    data["elements"][-1]["scatter"] = {"kind": "lambertian"}
+    scene = Scene.from_data(data)
+    (a, b), h = scene.receiver.half_width, scene.receiver.z - scene.diffuser.position[2]
+    share = sum(
+        2 / math.pi * x / math.hypot(x, h) * math.atan(y / math.hypot(x, h))
+        for x, y in ((a, b), (b, a))
+    )
+    found = limit_of(scene)
+    assert found.most == pytest.approx(share * found.passes, rel=1e-9)
 
 
 SCENES = {

@@ -12,31 +12,22 @@ the rays of the highest radiance, times what can be left of them, fill it.
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from workbench.analysis.etendue import etendue_to, radiance, scattered_to
 from workbench.analysis.tracing.elements import Crossings, TracedRays, joined
 from workbench.analysis.tracing.interfaces import DielectricBoundary, reflectances
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
-from workbench.design.limits import CLOSEST, bounded
-from workbench.geometry.outlines import outline_named, outline_of
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.reach import incidence, largest_turn, least_turn
 from workbench.geometry.surface import nets_of
 from workbench.messages import Message
-from workbench.scene import (
-    AnyReceiver,
-    AreaSource,
-    CollimatedSource,
-    Diffuser,
-    Element,
-    Lens,
-    Scene,
-    SplineFace,
-)
+from workbench.scene import AnyReceiver, Element, Lens, Scene, SplineFace
 from workbench.scene.train import leaving
 
 _RAYS = 1 << 16  # of all lines of the light together
@@ -45,8 +36,6 @@ _TURNS = 2049
 # Standard errors of the mean of the batches that are added to it.
 _SURE = 3.0
 _SAME = 5e-4  # parts of the light that are no difference in words
-_SIDES = 64  # of the polygon around an elliptic aperture
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(32)
 
 
 class LightLimit(NamedTuple):
@@ -54,7 +43,7 @@ class LightLimit(NamedTuple):
 
     meets: float  # meets the first element
     passes: float  # is neither reflected nor absorbed, at best
-    turned: float  # can be deflected to the receiver, too
+    turned: float  # can be deflected to the receiver, or scattered there, too
     most: float  # reaches the receiver: fits into the étendue, too
 
     def to_data(self) -> dict[str, float]:
@@ -72,7 +61,7 @@ class LightLimit(NamedTuple):
         steps = (
             Message("{part} % meets the {optic}", part=_percent(self.meets), optic=optic),
             Message("{part} % passes the faces at best", part=_percent(self.passes)),
-            Message("{part} % can be deflected there", part=_percent(self.turned)),
+            Message("{part} % can be sent there", part=_percent(self.turned)),
             Message("{part} % fits into the étendue", part=_percent(self.most)),
         )
         reasons = None
@@ -183,7 +172,7 @@ def _followed(scene: Scene, train: OpticalTrain, before: int, batch: int) -> _Ra
     emitted = float(rays.flux.sum()) * (1 + train.source.beside)
     inside = outline_of(first).contains(*rays.position[:, :2].T)
     rays = rays._replace(flux=np.where(inside, rays.flux, 0.0) / max(emitted, 1e-300))
-    etendue = rays.flux / _radiance(source, first, rays.direction)
+    etendue = rays.flux / radiance(source, first, rays.direction)
     met = float(rays.flux.sum())
     for face, boundary in train.faces[:before]:
         rays, _ = boundary.turn(rays, face.meet(rays))
@@ -269,124 +258,29 @@ def _thinnest(lens: Lens) -> float:
 
 
 def _limit(scene: Scene, lines: Sequence[_Line], receiver: AnyReceiver) -> LightLimit:
-    room = _etendue(scene, receiver)
+    capacity, scattered = etendue_to(scene, receiver), scattered_to(scene, receiver)
     onwards = 1 if leaving(scene.source, scene.elements, receiver)[2] > 0 else -1
     found = np.zeros((BATCHES, len(LightLimit._fields)))
     for line in lines:
         for batch, rays in enumerate(line.batches):
             turn = least_turn(receiver, rays.place, rays.way, onwards)
-            turned = rays.flux * line.passed(turn)
+            turned = scattered * rays.flux * line.passed(turn)
             passes = rays.flux.sum() * line.passing[0]
-            most = _filling(turned, rays.etendue, room)
+            most = _filling(turned, rays.etendue, capacity)
             found[batch] += np.multiply(line.part, (rays.met, passes, turned.sum(), most))
     error = found.std(axis=0, ddof=1) / math.sqrt(BATCHES)
     limits = np.minimum(found.mean(axis=0) + _SURE * error, 1.0)
     return LightLimit(*np.minimum.accumulate(limits).tolist())
 
 
-def _filling(flux: Array, etendue: Array, room: float) -> float:
+def _filling(flux: Array, etendue: Array, capacity: float) -> float:
     """The most flux of rays that together have no more than an étendue."""
-    if etendue.sum() <= room:
+    if etendue.sum() <= capacity:
         return float(flux.sum())
     order = np.argsort(-flux / np.where(etendue > 0, etendue, 1e-300))
     filled = np.cumsum(etendue[order])
-    part = ((room - filled) / np.where(etendue[order] > 0, etendue[order], 1.0) + 1).clip(0, 1)
+    part = ((capacity - filled) / np.where(etendue[order] > 0, etendue[order], 1.0) + 1).clip(0, 1)
     return float(flux[order] @ part)
-
-
-def _radiance(source: Any, optic: Element, way: Array) -> Array | float:
-    """Radiance of rays of a source, as part of its flux; infinite where its size is not known.
-
-    Of a Gaussian beam it is that on its axis.
-    """
-    if isinstance(source, AreaSource):
-        area = outline_named(source.outline, source.half_width).area
-        if source.emission == "lambertian":
-            return 1 / (math.pi * area)
-        return np.asarray(1 / (2 * math.pi * area * (way @ source.facing).clip(min=1e-300)))
-    if isinstance(source, CollimatedSource) and source.continuous:
-        versine = 2 * math.sin(math.radians(source.angular_diameter) / 4) ** 2
-        waist, solid_angle = source.profile.radius, 2 * math.pi * versine
-        if math.isfinite(waist):
-            return 2 / (math.pi * waist**2) / solid_angle
-        facing = (1 - versine / 2) * float(source.heading[2])
-        return 1 / (4 * math.prod(optic.half_width) * facing * solid_angle)
-    return math.inf
-
-
-def _etendue(scene: Scene, receiver: AnyReceiver) -> float:
-    """Étendue of all rays from the last element to a receiver; infinite where it has no bound."""
-    last = scene.elements[-1].lit(scene.source.wavelength)
-    if isinstance(last, Diffuser) or (last.designed and not last.free):
-        return math.inf
-    near, far = _ends(scene, last)
-    if receiver.stands_at is None:
-        return _to_angles(last, abs(far - near), receiver)
-    return _to_plane(last, near, far, receiver)
-
-
-def _ends(scene: Scene, last: Element) -> tuple[float, float]:
-    """Where light can leave an element, z from its front to the receiver."""
-    if last.free:
-        last = bounded(scene, CLOSEST) if isinstance(last, Lens) else last
-        low, high = last.z_min, last.z_max
-        if last.height_range is not None:
-            down, up = last.height_range
-            least, most = last.base.extent(last.half_width)
-            low, high = max(low, least + down), min(high, most + up)
-    else:
-        placed = last.placed_faces[-1]
-        low, high = (placed.z + z for z in placed.face.undesigned.extent(last.half_width))
-    return (low, high) if last.onwards > 0 else (high, low)
-
-
-def _to_angles(last: Element, height: float, receiver: AnyReceiver) -> float:
-    """Projected area of the box that holds the face, over the directions of a far field."""
-    left, right, bottom, top = np.radians(receiver.bounds)
-    h, v = (
-        (low + high) / 2 + (high - low) / 2 * _NODES for low, high in ((left, right), (bottom, top))
-    )
-    weight = np.outer(_WEIGHTS, np.cos(v) * _WEIGHTS) * (right - left) * (top - bottom) / 4
-    h, v = np.meshgrid(h, v, indexing="ij")
-    way = np.stack([np.cos(v) * np.sin(h), np.sin(v), np.cos(v) * np.cos(h)], axis=-1)
-    x, y, z = np.moveaxis(way @ (last.turn * [[1], [1], [last.onwards]]), -1, 0)
-    rim = outline_of(last).boundary(_SIDES)[:, :, None, None]
-    wide = 2 * np.abs(rim[:, 0] * y - rim[:, 1] * x).max(axis=0)
-    return float((weight * (outline_of(last).area * np.abs(z) + height * wide)).sum())
-
-
-def _to_plane(last: Element, near: float, far: float, receiver: AnyReceiver) -> float:
-    """Étendue from a polygon to the receiver, by Lambert's formula at places of the receiver.
-
-    The polygon is across the element's axis at its end; all light from the face between `near` and
-    `far` passes through it on its way to the receiver.
-    """
-    corners = last.seen(receiver.outline(last).reshape(-1, 3))
-    ahead = (corners[:, 2] - far) * last.onwards
-    if ahead.min() <= 0:
-        return math.inf
-    part = (abs(far - near) / (ahead + abs(far - near)))[:, None]
-    half = np.array(last.half_width)
-    low = np.minimum((1 - part) * -half + part * corners[:, :2], -half).min(axis=0)
-    high = np.maximum((1 - part) * half + part * corners[:, :2], half).max(axis=0)
-    outline = outline_of(last)
-    rim = outline.boundary(_SIDES)[:-1] / (1 if outline.whole else math.cos(math.pi / _SIDES))
-    if (low < -half).any() or (high > half).any():
-        rim = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    rim = last.in_scene(np.column_stack([rim, np.full(len(rim), far)]))
-    (r_x, r_y), (right, up, across) = receiver.half_extent, receiver.sides
-    x, y = (each.ravel() for each in np.meshgrid(r_x * _NODES, r_y * _NODES))
-    place = receiver.stands_at + x[:, None] * right + y[:, None] * up
-    towards = rim - place[:, None]
-    if ((towards @ across) > 0).any() and ((towards @ across) < 0).any():
-        return math.inf
-    unit = towards / np.linalg.norm(towards, axis=2, keepdims=True)
-    following = np.roll(unit, -1, axis=1)
-    cross = np.cross(unit, following)
-    sine = np.linalg.norm(cross, axis=2)
-    angle = np.arctan2(sine, (unit * following).sum(axis=2))
-    seen = np.abs((angle / np.where(sine > 0, sine, 1.0) * (cross @ across)).sum(axis=1)) / 2
-    return float(seen @ np.outer(_WEIGHTS, _WEIGHTS).ravel() * r_x * r_y)
 
 
 def _percent(part: float) -> str:

@@ -1,4 +1,4 @@
-"""What a refracting face can reach: its largest deflection, and directions to a receiver."""
+"""Deflections that a face can make and a receiver needs, and projected solid angles."""
 
 import math
 
@@ -41,6 +41,23 @@ def least_turn(receiver: AnyReceiver, place: Array, way: Array, onwards: int = 1
         return _to_far_field(receiver, way * [1.0, 1.0, onwards])
     assert isinstance(receiver, Screen)
     return _to_screen(receiver, place, way)
+
+
+def projected_solid_angle(rim: Array, place: Array, normal: Array) -> Array:
+    """Return the solid angles (m,) of a polygon, weighted by the cosine to a normal, steradians.
+
+    By its edges (Lambert, 1760); negative if they run clockwise about the normal.
+
+    `rim` (n, 3): all on one side of the planes through `place` (m, 3) across the `normal` (3,).
+    """
+    unit = rim - place[:, None]
+    unit /= np.linalg.norm(unit, axis=2, keepdims=True)
+    following = np.roll(unit, -1, axis=1)
+    across = np.cross(unit, following)
+    sine = np.linalg.norm(across, axis=2)
+    angle = np.arctan2(sine, (unit * following).sum(axis=2))
+    parts = angle / np.where(sine > 0, sine, 1.0) * (across @ normal)
+    return np.asarray(parts.sum(axis=1) / 2)
 
 
 def _to_screen(screen: Screen, place: Array, way: Array) -> Array:

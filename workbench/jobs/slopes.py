@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.geometry.reach import largest_turn
 from workbench.scene import Scene
 
 _POINTS = 17  # along each axis
@@ -62,7 +63,7 @@ def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None =
         here[..., 2] = np.sqrt(1 - np.square(here[..., :2]).sum(axis=-1))
     normal = index * here - there
     along = (here * there).sum(axis=-1)
-    most = np.degrees(np.arccos(1 / index)) if optic.onwards > 0 else 90.0
+    most = np.degrees(largest_turn(index)) if optic.onwards > 0 else 90.0
     turns = np.degrees(np.arccos(np.clip(along, -1, 1)))
     if optic.onwards < 0:
         turns = 180 - turns

@@ -15,6 +15,7 @@ from workbench.analysis.tracing.sources.sampling import (
     pairs,
 )
 from workbench.arrays import Array
+from workbench.geometry.reach import projected_solid_angle
 from workbench.scene import AreaSource, Element
 
 # Points that stand for the emitter at the first level of cells: their error is then like that of
@@ -93,14 +94,10 @@ class AreaLight(LightSource):
         points = self._on_emitter(*self._even(_NODES**2))
         r_x, r_y = self._half_width
         corners = np.array([[-r_x, -r_y, 0], [r_x, -r_y, 0], [r_x, r_y, 0], [-r_x, r_y, 0.0]])
+        if self._lambertian:
+            return projected_solid_angle(corners, points, self._upwards) / math.pi
         unit = corners - points[:, None]
         unit /= np.linalg.norm(unit, axis=2, keepdims=True)
-        following = np.roll(unit, -1, axis=1)
-        across = np.cross(unit, following)
-        sine = np.linalg.norm(across, axis=2)
-        angle = np.arctan2(sine, (unit * following).sum(axis=2))
-        if self._lambertian:  # Lambert (1760): by the edges of the face
-            return np.asarray((angle / sine * (across @ self._upwards)).sum(axis=1) / (2 * math.pi))
         halves = [_solid_angle(unit[:, [0, k, k + 1]]) for k in (1, 2)]
         return np.asarray(sum(halves) / (2 * math.pi))
 
