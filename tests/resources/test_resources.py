@@ -7,6 +7,7 @@ from PIL import Image
 import resources
 from resources import make_resources
 from workbench.analysis.derivatives import irradiance_derivative
+from workbench.analysis.light_limit import light_limits
 from workbench.design.run import run
 from workbench.files.session import open_design
 from workbench.scene import Scene
@@ -84,10 +85,10 @@ def test_examples_improve(name, part):
     if scene.source.kind == "grid":
         changes["source.points"] = [9, 9]
     scene = with_values(scene, changes)
-    losses = [
-        snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))
-    ]
+    states = [s.state for s in run(scene, load_target(scene, example.file.parent))]
+    losses = [state.loss for state in states]
     assert min(losses) < part * losses[0]
+    _check_light(scene, states)
 
 
 @pytest.mark.parametrize("name", ["wall-washer", "street-light"])
@@ -103,6 +104,13 @@ def test_walls_and_streets_are_lit_better(name):
     assert min(state.loss for state in states) < 0.9 * states[0].loss
     assert 0.3 < states[-1].account.efficiency < 0.6  # the cone of the lamp is round
     assert states[-1].account.lost["off_screen"] < 0.05
+    _check_light(scene, states)
+
+
+def _check_light(scene, states):
+    """No design brings more light than any lens can, but for rounding and samples of near light."""
+    (limit,) = light_limits(scene)
+    assert max(state.account.efficiency for state in states) <= limit.most * 1.002
 
 
 def _named(name):

@@ -5,7 +5,7 @@ from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, QThread, QTimer, Signal
 
 from ui.background import Background, Task
 from ui.document.document import Document
@@ -280,6 +280,9 @@ class RunCheck(QObject):
         self.figures_changed.emit(self._text if same else "")
 
 
+_REST_MS = 1000  # without edits before bounds are computed: live designs come first
+
+
 class BoundOfDesign(QObject):
     """Computes the bounds of error and light of each new task in a thread."""
 
@@ -292,9 +295,13 @@ class BoundOfDesign(QObject):
         self._background = Background(later("bound"), self)
         self._background.done.connect(lambda _, found: self.figures_changed.emit(*found))
         self._background.failed.connect(self.failed)
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._begin)
         document.session_changed.connect(self.follow)
 
     def close(self) -> None:
+        self._rest.stop()
         self._background.close()
 
     def follow(self, session: "Session") -> None:
@@ -303,7 +310,11 @@ class BoundOfDesign(QObject):
             return
         self._background.cancel()
         self.figures_changed.emit("", "")
-        self._background.begin(partial(_in_words, session), session)
+        self._rest.start(_REST_MS)
+
+    def _begin(self) -> None:
+        assert self._task is not None
+        self._background.begin(partial(_in_words, self._task), self._task)
 
 
 def _in_words(session: "Session", task: Task) -> tuple[str, str]:

@@ -186,3 +186,16 @@ def gate(session, monkeypatch):
     monkeypatch.setattr("workbench.analysis.validation.validating", steps)
     yield SimpleNamespace(release=allowed.release, begun=begun, left=left)
     allowed.release(100)
+
+
+def test_the_most_light_stands_beside_the_light_and_follows_edits(window, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run.checks._REST_MS", 0)
+    bound = window.status._bound
+    window.loaded.bound.follow(window.document.session)
+    qtbot.waitUntil(
+        lambda: bound.text() == "light at most 92.2 %", timeout=60_000
+    )  # two bare faces
+    assert "92.2 % passes the faces at best" in bound.toolTip()
+    move_screen(window.document, 6.0)
+    assert bound.text() == ""
+    qtbot.waitUntil(lambda: bound.text() == "light at most 92.2 %", timeout=60_000)
