@@ -19,8 +19,8 @@ def fake_suite(monkeypatch):
     def put(*events):
         limits = []
 
-        def measure(iterations, report):
-            limits.append(iterations)
+        def measure(settings, report):
+            limits.append(settings.iterations)
             for event in events:
                 report("which way", "soon")
                 if isinstance(event, BaseException):
@@ -50,6 +50,8 @@ def test_table_picture_and_json_agree(freeform, fake_suite, tmp_path):
     kept = json.loads((folder / "led.json").read_text("utf-8"))
     assert kept[leds.table(ROWS).title] == leds.table(ROWS).to_data()
     assert {path.suffix for path in folder.iterdir()} == {".md", ".json", ".png"}
+    status, _, stderr = freeform("benchmark", "led", "--pixels", 512, "--output", folder)
+    assert status == 2 and "led: has no pictures; --pixels is for pictures" in stderr
 
 
 def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):

@@ -7,22 +7,32 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from workbench.analysis.benchmark.names import BENCHMARKS, WITH_CURVES
+from workbench.analysis.benchmark.names import (
+    BENCHMARKS,
+    WITH_CURVES,
+    WITH_PICTURES,
+    Settings,
+)
 from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
 
 
 def benchmark(
-    names: Sequence[str], folder: Path, iterations: int | None, against: Path | None, as_json: bool
+    names: Sequence[str], folder: Path, settings: Settings, against: Path | None, as_json: bool
 ) -> None:
     """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
 
-    Raise Refused if there is no such benchmark, the folder is not writable, or the earlier result
-    or one of the benchmarks has no curves; KeyboardInterrupt after Ctrl-C, with finished benchmarks
+    Raise Refused if there is no such benchmark, the folder is not writable, or one of the
+    benchmarks has no such settings; KeyboardInterrupt after Ctrl-C, with finished benchmarks
     written.
     """
     _check(names, folder, against)
+    chosen = {"--pixels": settings.pixels, "--only": settings.only}
+    for option in (option for option, value in chosen.items() if value):
+        for name in names:
+            if name != WITH_PICTURES:
+                raise Refused(name, f"has no pictures; {option} is for {WITH_PICTURES}")
     from workbench.analysis.benchmark.machine import Machine  # slow import
 
     earlier = _earlier(against)
@@ -32,7 +42,7 @@ def benchmark(
     found = {}
     stop = None
     for name in names:
-        rows, seconds, stop = _measure(name, iterations)
+        rows, seconds, stop = _measure(name, settings)
         if rows:
             found[name] = _write(name, rows, earlier, seconds, folder, as_json)
         if stop:
@@ -77,9 +87,7 @@ def _earlier(against: Path | None) -> Sequence[Any]:
     return earlier_courses(against)
 
 
-def _measure(
-    name: str, iterations: int | None
-) -> tuple[list[Any], float, KeyboardInterrupt | None]:
+def _measure(name: str, settings: Settings) -> tuple[list[Any], float, KeyboardInterrupt | None]:
     from workbench.analysis.benchmark.suite import SUITE
 
     rows: list[Any] = []
@@ -87,7 +95,7 @@ def _measure(
     progress = _Progress(name)
     stop = None
     try:
-        for row in SUITE[name].measure(iterations, progress.show):
+        for row in SUITE[name].measure(settings, progress.show):
             rows.append(row)
     except KeyboardInterrupt as error:
         stop = error

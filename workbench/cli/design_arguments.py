@@ -10,7 +10,13 @@ import time
 from pathlib import Path
 from typing import Any
 
-from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT, WITH_CURVES
+from workbench.analysis.benchmark.names import (
+    BENCHMARKS,
+    DEFAULT,
+    WITH_CURVES,
+    WITH_PICTURES,
+    Settings,
+)
 from workbench.cli.parser import add_json, add_verb, count, positive, rays
 
 
@@ -173,6 +179,7 @@ def add_benchmark(commands: Any) -> None:
         f"Measure run time against error. Ctrl-C keeps what is finished.\n\nbenchmarks:\n{names}",
         [
             "benchmark",
+            "benchmark pictures --pixels 512 --only camera hello",
             "benchmark frontier --output new/ --against old/frontier.json",
             "benchmark frontier --output both/ --result new.json --against old.json",
         ],
@@ -190,6 +197,20 @@ def add_benchmark(commands: Any) -> None:
     )
     parser.add_argument(
         "--iterations", metavar="N", type=count, help="of every design, in place of its own"
+    )
+    parser.add_argument(
+        "--pixels",
+        metavar="N",
+        type=int,
+        choices=(256, 512, 1024),
+        help=f"pixels a side of {WITH_PICTURES}: 256, 512 or 1024; default 256",
+    )
+    parser.add_argument(
+        "--only",
+        metavar="PICTURE",
+        nargs="+",
+        default=(),
+        help=f"some of {WITH_PICTURES}, such as camera hello",
     )
     parser.add_input(
         "--against",
@@ -214,4 +235,5 @@ def _run_benchmark(options: argparse.Namespace) -> None:
         for name in names:
             draw_result(name, options.result, options.output, options.against)
         return
-    benchmark(names, options.output, options.iterations, options.against, options.json)
+    settings = Settings(options.iterations, options.pixels, tuple(options.only))
+    benchmark(names, options.output, settings, options.against, options.json)

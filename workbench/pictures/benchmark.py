@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
+import numpy.typing as npt
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -25,12 +26,14 @@ from workbench.pictures.images import (
     target_irradiance,
 )
 from workbench.scene import Scene
+from workbench.targets.colour import SRGB
 
 if TYPE_CHECKING:
     from workbench.analysis.benchmark.bounds import BoundedDesign
     from workbench.analysis.benchmark.experiments import Derivative, ExampleDesign
     from workbench.analysis.benchmark.frontier import Course
     from workbench.analysis.benchmark.leds import LedDesign
+    from workbench.analysis.benchmark.pictures import PictureDesign
     from workbench.analysis.benchmark.second_tracer import SeenTwice
 
 _FONT = 8
@@ -54,6 +57,9 @@ _SAMPLES = 201
 _RAYS = 25
 _ARRIVING, _LOST = "#c47a00", "#c81e1e"
 _STYLES = {"paper": "-", "auto": "--"}
+_STRIP = (6.3, 2.4)  # inches, of three images beside each other
+_GAP = 24  # of a strip, in parts of an image
+_DIFFERENCE = 0.1  # end of the scale, in parts of the target's brightest pixel
 
 
 def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
@@ -150,6 +156,46 @@ def _per_cent(value: float, _: object) -> str:
 def _per_cent_of_1_2_5(value: float, _: object) -> str:
     leading = round(value / 10.0 ** math.floor(math.log10(value)))
     return _per_cent(value, None) if leading in (2, 5) else ""
+
+
+def gallery(rows: Sequence["PictureDesign"]) -> Figure:
+    """Draw target, verified image and difference of each picture, as a monitor shows light."""
+    figure, panels = _panels(len(rows), *_STRIP)
+    for axes, row in zip(panels, rows, strict=True):
+        axes.set_axis_off()
+        axes.imshow(_strip(row))
+        cost = row.failure
+        if row.check and row.run:
+            cost = f"{row.error:.2%}, {row.seconds:.1f} s"
+        axes.set_title(f"{row.scene}: {cost}", fontsize=_FONT + 3, loc="left")
+    text = (
+        "Target, image of the lens by the independent check, and image minus target at equal flux "
+        f"(red: too much light, blue: too little; full colour at ± {_DIFFERENCE:.0%} of the "
+        "brightest pixel of the target), with the relative L2 error of the image and the time of "
+        "the whole design. Greys as on a monitor (sRGB)."
+    )
+    width = round(_LETTERS * figure.get_figwidth())
+    figure.supxlabel(textwrap.fill(text, width), fontsize=_FONT)
+    return figure
+
+
+def _strip(row: "PictureDesign") -> npt.NDArray[np.uint8]:
+    """Colours of target, image and difference beside each other, with white between them."""
+    target = row.target / row.target.max()
+    shown = [_greys(target)]
+    if row.check is not None:
+        image = row.check.irradiance * (target.sum() / row.check.irradiance.sum())
+        off = (image - target) / (2 * _DIFFERENCE) + 0.5
+        shown += [_greys(image), colormaps[SIGNED](off, bytes=True)[..., :3]]
+    n_y, n_x = target.shape
+    white = np.full((n_y, n_x // _GAP + 1, 3), 255, np.uint8)
+    parts = [part for each in shown for part in (each, white)][:-1]
+    return np.hstack(parts)
+
+
+def _greys(light: Array) -> npt.NDArray[np.uint8]:
+    grey = np.rint(255 * SRGB.stored(light.clip(0, 1))).astype(np.uint8)
+    return np.repeat(grey[..., None], 3, axis=2)
 
 
 def page(rows: Sequence["ExampleDesign | Derivative"]) -> Figure:
@@ -288,7 +334,7 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
 _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "quick": courses,
     "frontier": courses,
-    "large": courses,
+    "pictures": gallery,
     "bound": bounds,
     "led": leds,
     "mitsuba": tracers,

@@ -1,7 +1,8 @@
 """The example scenes of benchmarks, and the tables of their results."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -9,7 +10,8 @@ from typing import Any
 import numpy as np
 
 import resources
-from resources.drawings import photograph
+from resources.parts import bspline, lens, screen
+from resources.pictures import DRAWN, picture
 from workbench.arrays import Array, Mask
 from workbench.design.net import definite
 from workbench.design.run import run
@@ -19,8 +21,6 @@ from workbench.scene import Scene
 from workbench.scene.paths import with_values
 from workbench.targets import load_target
 
-_PHOTO = 256  # pixels of the shipped photograph a side
-_SEED = 13
 NO_CHANGES: Mapping[str, Any] = MappingProxyType({})
 
 Notify = Callable[[str, str], None]
@@ -51,17 +51,29 @@ class BenchmarkTask:
         return cls(name, shipped.group, definite(scene, target), target)
 
     @classmethod
-    def photo(cls, size: int) -> "BenchmarkTask":
-        """The photograph at ``size`` pixels a side, with rays in proportion."""
-        example = cls.of(
-            "photo", photograph(size), {"source.rays": 2 * size, "images[0].receiver.pixels": size}
+    def picture(cls, name: str, pixels: int) -> "BenchmarkTask":
+        """A picture of `resources.pictures` in collimated light; see there for what is refused."""
+        file = BytesIO()
+        picture(name, pixels).save(file, "PNG")
+        scene = Scene.from_data(
+            {
+                "version": 3,
+                "unit": "cm",
+                "source": {"kind": "collimated"},
+                "elements": [lens([1, 1], 0.5, 1.5, bspline())],
+                "images": [
+                    {
+                        "receiver": screen(5, [1, 1], [pixels, pixels]),
+                        "target": {
+                            "image": f"{name}.png",
+                            "tone": "linear" if name in DRAWN else "srgb",
+                        },
+                    }
+                ],
+            }
         )
-        return replace(example, name=f"photo-{size}")
-
-    @classmethod
-    def cloud(cls) -> "BenchmarkTask":
-        """A cloud, which no example has, through the photograph's lens."""
-        return replace(cls.of("photo", cloud(_PHOTO)), name="cloud")
+        target = load_target(scene, Path(), file.getvalue())
+        return cls(name, "Pictures", definite(scene, target), target)
 
     def designed(
         self, notify: Callable[[str], None], locked: Mapping[str, Mask] = NO_LOCKS
@@ -82,15 +94,6 @@ class BenchmarkTask:
         file = folder / "scene.json"
         file.write_text(scene.to_json(), "utf-8")
         return file
-
-
-def cloud(size: int) -> Array:
-    """Return an image in [0, 1] of noise with an amplitude of 1 / frequency, as in photographs."""
-    noise = np.random.default_rng(_SEED).standard_normal((size, size))
-    frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size))
-    frequency[0, 0] = np.inf  # no mean
-    image = np.fft.irfft2(np.fft.rfft2(noise) / frequency, (size, size))
-    return np.asarray((image - image.min()) / np.ptp(image))
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel, Field, FiniteFloat, ValidationError
 
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
-from workbench.analysis.benchmark.machine import fresh_design
+from workbench.analysis.benchmark.machine import YARDSTICK, FreshRun, fresh_design
 from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
@@ -102,7 +102,7 @@ _NOTE = (
     "Verified error: relative L2 distance of the last lens's image from the untouched target, by "
     "cells of its face in another tracer; ± is the bound of that image's own error. Own error: the "
     "same distance as the run itself reports it. Seconds are those of the method alone, waited is "
-    "the time of a fresh `freeform design`, and peak MB is the memory of that process."
+    "the time of a fresh `freeform design`, and peak MB is the memory of that process. " + YARDSTICK
 )
 
 
@@ -118,11 +118,12 @@ class Effort:
 
 
 class TracedError(NamedTuple):
-    """Relative L2 error of a lens by an independent tracer, its error bound, and efficiency."""
+    """Relative L2 error of a lens by an independent tracer, its error bound, efficiency, image."""
 
     error: float
     bound: float
     efficiency: float
+    irradiance: Array  # (n_y, n_x)
 
 
 @dataclass(frozen=True)
@@ -131,14 +132,12 @@ class Course:
 
     scene: str
     method: str
-    pixels: int = 0
     # Time of the method alone, s, and verified error of its best lens.
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
     own_curve: tuple[tuple[float, float], ...] = ()  # time and own error after each iteration
     last: TracedError | None = None  # of the last lens
-    waited: float | None = None  # time of a fresh process, s
-    memory: int | None = None  # peak of that process, bytes
+    fresh: FreshRun | None = None
     sooner: float | None = None  # speed-up over the first method at its lowest error; None: never
     failure: str = ""  # reason of a failure
 
@@ -151,11 +150,6 @@ class Course:
     def seconds(self) -> float | None:
         """Time of the whole run."""
         return self.times[-1] if self.last else None
-
-    @property
-    def microseconds_a_pixel(self) -> float | None:
-        """Time of the run for each pixel."""
-        return None if self.seconds is None else 1e6 * self.seconds / self.pixels
 
     @property
     def error(self) -> float | None:
@@ -183,9 +177,19 @@ class Course:
         return self.own / self.error if self.own and self.error else None
 
     @property
+    def waited(self) -> float | None:
+        """Time of the fresh process."""
+        return self.fresh and self.fresh.seconds
+
+    @property
+    def yardsticks(self) -> float | None:
+        """Time of the fresh process as a multiple of the yardstick's."""
+        return self.fresh and self.fresh.yardsticks
+
+    @property
     def megabytes(self) -> float | None:
-        """Peak memory in MB."""
-        return None if self.memory is None else self.memory / 1e6
+        """Peak memory of the fresh process in MB."""
+        return self.fresh and self.fresh.megabytes
 
     def time_to(self, error: float) -> float | None:
         """Return the first time with at most this verified error; None for never."""
@@ -205,17 +209,12 @@ def quick(iterations: int | None) -> Effort:
 
 
 def frontier(iterations: int | None) -> Effort:
-    """Every kind of scene at full size."""
-    names = ("tophat", "ball", "flame", "letter", "photo", "flame-point")
-    examples = (*map(BenchmarkTask.of, names), BenchmarkTask.cloud(), BenchmarkTask.photo(512))
+    """Every kind of scene at full size, three real pictures among them."""
+    names = ("tophat", "ball", "flame", "letter", "flame-point")
+    pictures = (BenchmarkTask.picture(name, 256) for name in ("camera", "hello", "code"))
+    examples = (*map(BenchmarkTask.of, names), *pictures)
     methods = ("paper", "transport", "auto")
     return Effort(examples, methods, iterations, step=math.sqrt(2), processes=3)
-
-
-def large(iterations: int | None) -> Effort:
-    """One scene in three sizes."""
-    examples = tuple(map(BenchmarkTask.photo, (256, 512, 1024)))
-    return Effort(examples, ("auto",), iterations, step=2.0, processes=1)
 
 
 def courses(effort: Effort, notify: Notify) -> Iterator[Course]:
@@ -240,11 +239,10 @@ def table(found: Sequence[Course]) -> Table:
         TableColumn("efficiency", "light on the screen", ".1%"),
         TableColumn("seconds", "seconds", ".1f"),
         TableColumn("waited", "waited", ".1f"),
-        TableColumn("microseconds_a_pixel", "µs a pixel", ".0f"),
+        TableColumn("yardsticks", "yardsticks", ".0f"),
         TableColumn("megabytes", "peak MB", ".0f"),
         TableColumn("sooner", f"times sooner at the best error of {found[0].method}", ".3g"),
         TableColumn("failure", "failed"),
-        TableColumn("pixels", ""),
         TableColumn("curve", ""),
         TableColumn("own_curve", ""),
     )
@@ -252,7 +250,7 @@ def table(found: Sequence[Course]) -> Table:
 
 
 def _course(example: BenchmarkTask, name: str, effort: Effort, notify: Notify) -> Course:
-    course = Course(example.name, name, example.target.size)
+    course = Course(example.name, name)
     case = f"{example.name}, {name}"
     try:
         kept: list[MethodLens] = []
@@ -275,9 +273,8 @@ def _course(example: BenchmarkTask, name: str, effort: Effort, notify: Notify) -
         course = replace(course, last=found)
         if name == _FRESH:
             notify(case, "in a fresh process")
-            iterations = effort.iterations or example.scene.run.iterations
-            waited, memory = fresh_design(example, iterations, effort.processes)
-            course = replace(course, waited=waited, memory=memory)
+            fresh = fresh_design(example, effort.iterations, effort.processes)
+            course = replace(course, fresh=fresh)
     except (Refused, RunFailed) as failure:
         return replace(course, failure=str(failure))
     return course
@@ -296,9 +293,10 @@ def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) ->
     if image is None:
         light = validate(scene, example.target, {example.scene.optic.designed_face: lens}, _RAYS)
         low, high = light.relative_l2_corrected_interval
-        return TracedError(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
+        bound = (high - low) / 2
+        return TracedError(light.relative_l2_corrected, bound, light.efficiency, light.irradiance)
     efficiency = scene.receiver.total(image.irradiance)
-    return TracedError(*image.error(example.target), efficiency)
+    return TracedError(*image.error(example.target), efficiency, image.irradiance)
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:

@@ -1,10 +1,13 @@
 """The machine of a benchmark, and designs in fresh processes on it."""
 
+import json
 import os
 import platform
 import subprocess
 import sys
 import time
+import zipfile
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from importlib.metadata import PackageNotFoundError, version
@@ -13,9 +16,11 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
+import numpy as np
 import torch
 
 from workbench.analysis.benchmark.examples import BenchmarkTask
+from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.process import cores
 
@@ -114,34 +119,83 @@ def _versions() -> dict[str, str]:
 
 
 _POLL = 0.05  # s
+_SIDE, _TIMES = 1024, 10  # of the transforms that are timed before a design and after it
+YARDSTICK = (
+    f"A yardstick is the time of a Fourier transform of {_SIDE} × {_SIDE} complex numbers in as "
+    "many threads as a design has, measured before and after the command."
+)
+"""What `yardstick` measures, for the notes of tables."""
 
 
 class FreshRun(NamedTuple):
-    """Time and memory of fresh processes."""
+    """A design in a fresh process: its cost and its lens."""
 
-    seconds: float  # median from start to end of a process
-    memory: int | None  # peak of the largest process, bytes; None if unknown
+    seconds: float  # from start to end of the process
+    processor: float | None  # time of all its threads, s; None if unknown
+    memory: int | None  # peak, bytes; None if unknown
+    yardstick: float  # `yardstick` just before and after, s
+    iterations: int
+    heights: Array  # (n_u, n_v), control heights of the designed face
+    irradiance: Array  # (n_y, n_x), the image as the run sees it
+
+    @property
+    def megabytes(self) -> float | None:
+        """Peak memory in MB."""
+        return None if self.memory is None else self.memory / 1e6
+
+    @property
+    def yardsticks(self) -> float:
+        """Time as a multiple of the yardstick's: comparable between machines."""
+        return self.seconds / self.yardstick
 
 
-def fresh_design(example: BenchmarkTask, iterations: int, times: int) -> FreshRun:
-    """Design an example from the command line ``times`` times; raise RunFailed if one fails."""
+def fresh_design(example: BenchmarkTask, iterations: int | None, times: int) -> FreshRun:
+    """Design an example from the command line ``times`` times; raise RunFailed if one fails.
+
+    `iterations`: upper limit; None leaves it to the example. Returns the run of median time, with
+    the largest peak of memory.
+    """
     with TemporaryDirectory(prefix="freeform-") as folder:
         scene = example.save(Path(folder))
-        found = [_process(scene, iterations) for _ in range(times)]
+        face = example.scene.optic.designed_face
+        found = [_fresh_run(scene, face, iterations) for _ in range(times)]
     peaks = [each.memory for each in found if each.memory is not None]
-    return FreshRun(median(each.seconds for each in found), max(peaks, default=None))
+    middle = sorted(found, key=lambda each: each.seconds)[times // 2]
+    return middle._replace(memory=max(peaks, default=None))
 
 
-def _process(scene: Path, iterations: int) -> FreshRun:
-    output = str(scene.with_name("lens.freeform"))
-    command = [sys.executable, "-m", "workbench", "design", str(scene), "-o", output]
-    memory = None
+def _fresh_run(scene: Path, face: str, iterations: int | None) -> FreshRun:
+    output = scene.with_name("lens.freeform")
+    command = [sys.executable, "-m", "workbench", "design", str(scene), "-o", str(output), "--json"]
+    if iterations is not None:
+        command += ["--iterations", str(iterations)]
+    before = yardstick()
+    used = _processor_of_children()
     begun = time.perf_counter()
+    printed, memory = _printed(command, scene.parent)
+    seconds = time.perf_counter() - begun
+    now_used = _processor_of_children()
+    with zipfile.ZipFile(output) as session:
+        heights = _array(session, f"faces/{face}.npy")
+        irradiance = _array(session, "images/0/irradiance.npy")
+    return FreshRun(
+        seconds=seconds,
+        processor=None if used is None or now_used is None else now_used - used,
+        memory=memory,
+        yardstick=median((before, yardstick())),
+        iterations=json.loads(printed.splitlines()[-1])["iterations"],
+        heights=heights,
+        irradiance=irradiance,
+    )
+
+
+def _printed(command: Sequence[str], folder: Path) -> tuple[str, int | None]:
+    """Run a command; return its standard output and its peak memory in bytes."""
+    memory = None
     with (
-        scene.with_name("errors.txt").open("w+b") as errors,
-        subprocess.Popen(
-            [*command, "--iterations", str(iterations)], stdout=subprocess.DEVNULL, stderr=errors
-        ) as process,
+        (folder / "output.txt").open("w+b") as output,
+        (folder / "errors.txt").open("w+b") as errors,
+        subprocess.Popen(command, stdout=output, stderr=errors) as process,
     ):
         try:
             while process.poll() is None:
@@ -150,9 +204,39 @@ def _process(scene: Path, iterations: int) -> FreshRun:
                     process.wait(_POLL)
         finally:
             process.terminate()  # if this was interrupted
-        seconds = time.perf_counter() - begun
+        output.seek(0)
         errors.seek(0)
         lines = errors.read().decode(errors="replace").strip().splitlines()
-    if process.returncode != 0:
-        raise RunFailed(lines[-1] if lines else f"exit status {process.returncode}")
-    return FreshRun(seconds, memory)
+        if process.returncode != 0:
+            raise RunFailed(lines[-1] if lines else f"exit status {process.returncode}")
+        return output.read().decode(errors="replace"), memory
+
+
+def _array(session: zipfile.ZipFile, name: str) -> Array:
+    with session.open(name) as entry:
+        return np.asarray(np.load(entry, allow_pickle=False))
+
+
+def yardstick() -> float:
+    """Return the time of a fixed task on this machine as it is now, in seconds.
+
+    A design's time over it is comparable between machines. The task repeats: other programs would
+    delay a short one less than a design.
+    """
+    from scipy.fft import fft2  # slow import
+
+    values = np.random.default_rng(0).standard_normal((_SIDE, _SIDE)) + 0j
+    begun = time.perf_counter()
+    for _ in range(_TIMES):
+        fft2(values, workers=torch.get_num_threads())
+    return (time.perf_counter() - begun) / _TIMES
+
+
+def _processor_of_children() -> float | None:
+    """Return the processor time of all ended processes that this one started, in seconds."""
+    if sys.platform == "win32":
+        return None
+    import resource  # not on Windows
+
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime

@@ -1,9 +1,11 @@
-"""The benchmarks by name. Nothing else is imported here, so that help comes at once."""
+"""The benchmarks by name, and their settings. Nothing slow is imported: help comes at once."""
+
+from typing import NamedTuple
 
 BENCHMARKS = {
     "quick": "verified error against time on two small scenes, within two minutes",
+    "pictures": "photographs, words and line art: error, time, memory, and all images",
     "frontier": "verified error against time: every kind of scene, each method",
-    "large": "the same for a photograph of 256², 512² and 1024² pixels: time a pixel, memory",
     "bound": "lenses for four pictures in the sun, and what no lens is below",
     "led": "lenses close to an LED: how much light lands on a rectangle, and how evenly",
     "mitsuba": "the check beside Mitsuba 3: every source, receiver and outline; an hour or so",
@@ -12,8 +14,19 @@ BENCHMARKS = {
 }
 """What each measures."""
 
-WITH_CURVES = ("quick", "frontier", "large")
+WITH_CURVES = ("quick", "frontier")
 """Those that measure error against time."""
+
+WITH_PICTURES = "pictures"
+"""The one whose pictures can be chosen."""
 
 DEFAULT = "quick"
 """What runs when none is named."""
+
+
+class Settings(NamedTuple):
+    """Effort of benchmarks."""
+
+    iterations: int | None = None  # of every design; None leaves it to each scene
+    pixels: int | None = None  # a side of each picture; None: as many as usual
+    only: tuple[str, ...] = ()  # names of pictures; empty for all
