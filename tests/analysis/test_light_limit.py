@@ -120,7 +120,7 @@ def test_a_lambertian_diffuser_sends_little_to_a_receiver():
 
 SCENES = {
     "sun": {"source": {"kind": "collimated", "angular_diameter": 20.0}},
-    "led": {"source": LED, "screen.half_width": [0.4, 0.4]},
+    "led": {"source": LED | {"half_width": [0.6, 0.6]}, "screen.half_width": [0.4, 0.4]},
     "led to the side": {"source": LED, "screen.center": [6.0, 0.0], "screen.tilt": [0.0, 30.0]},
     "ellipse": {"source": LED, "lens.outline": "ellipse", "lens.absorption": 0.3},
     "points": {
