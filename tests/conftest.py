@@ -161,5 +161,12 @@ def make_scene(scene_data: dict[str, Any]) -> Any:
 
 
 @pytest.fixture
+def fewer_rays(monkeypatch):
+    """Checks begin with fewer cells and fewer random rays than those of users."""
+    monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 18)
+    monkeypatch.setattr("workbench.analysis.scatter._BEGIN", 1 << 18)
+
+
+@pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(7)

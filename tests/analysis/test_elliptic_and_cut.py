@@ -38,7 +38,7 @@ def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
     wanted, even = target / target.sum(), 1 / target.size
     error = np.linalg.norm(wanted - even) / np.linalg.norm(wanted)
     fine, coarse = (
-        finished(tracing_cut(scene, {"lens.back": heights}, target, raster, 100_000))
+        finished(tracing_cut(scene, {"lens.back": heights}, target, raster, 30_000))
         for raster in (raster_of(scene, heights, 0.5, scallop) for scallop in (1e-4, 0.05))
     )
     assert fine.designed.distance == pytest.approx(error, abs=3 * fine.designed.off + 1e-9)

@@ -10,10 +10,10 @@ from workbench.analysis.cells.image import imaging
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
-from workbench.analysis.validation import validate
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
+from workbench.progress import finished
 
 INDEX = 1.5
 
@@ -76,14 +76,6 @@ def lens_of(scene):
     return heights
 
 
-def finished(generator):
-    while True:
-        try:
-            next(generator)
-        except StopIteration as stop:
-            return stop.value
-
-
 @pytest.fixture(params=SOURCES)
 def scene(request, make_scene):
     entrance = {"shape": "freeform", "control_points": [7, 9], "height_range": [-0.05, 0.3]}
@@ -110,17 +102,3 @@ def test_cells_and_the_design_see_the_same_light(scene):
     cut = 1e-3 if scene.source.kind == "collimated" else 1e-2
     tolerance = 1e-4 if scene.source.along_axis else cut
     assert np.linalg.norm(cells.irradiance - designed) < tolerance * np.linalg.norm(designed)
-
-
-@pytest.mark.parametrize("scene", ["collimated"], indirect=True)
-def test_rays_and_the_design_see_the_same_light(scene):
-    heights, target = lens_of(scene), np.ones((10, 12))
-    traced = validate(scene, target, FaceArrays(heights), rays=400_000)
-    tensors = {name: torch.tensor(each) for name, each in heights.items()}
-    light = BeamPlan(scene, (200, 200), dtype=torch.float64).trace(tensors)
-    designed = light.flux.numpy() / scene.receiver.pixel_measure
-    size = np.linalg.norm(designed)
-    assert np.linalg.norm(traced.irradiance - designed) < (2 * traced.noise + 2e-3) * size
-    expected, found = light.account.to_data(), traced.account.to_data()
-    for loss in ("fresnel_entrance", "fresnel_exit", "left_side", "missed_lens"):
-        assert found[loss] == pytest.approx(expected[loss], abs=1e-3)

@@ -36,19 +36,6 @@ class TestFresnel:
             wanted = 1 - ((index - 1) / (index + 1)) ** 2
             assert TransmittanceLaw.fresnel(ratio).at(1.0, 1.0) == pytest.approx(wanted, rel=1e-14)
 
-    @pytest.mark.parametrize("index", INDICES)
-    def test_at_brewsters_angle_half_of_the_light_is_not_reflected(self, index):
-        law, angle = TransmittanceLaw.fresnel(1 / index), math.atan(index)
-        across = ((index**2 - 1) / (index**2 + 1)) ** 2
-        reflected = 1 - law.at(*cosines(law.ratio, angle))
-        assert reflected == pytest.approx(across / 2, rel=1e-9, abs=1e-15)
-
-    def test_at_45_degrees_one_reflectance_is_the_square_of_the_other(self):
-        law = TransmittanceLaw.fresnel(1 / 1.5)
-        cos_in, cos_out = cosines(law.ratio, math.pi / 4)
-        across = ((cos_in - 1.5 * cos_out) / (cos_in + 1.5 * cos_out)) ** 2
-        assert 1 - law.at(cos_in, cos_out) == pytest.approx((across + across**2) / 2, rel=1e-12)
-
     @pytest.mark.parametrize("ratio", [1 / 1.5, 1.5])
     def test_both_polarisations_reflect_what_is_not_refracted(self, ratio):
         cos_in, cos_out = cosines(ratio, angles_of(ratio))

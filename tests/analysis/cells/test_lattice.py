@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from tests.analysis.lenses import net_of
+from tests.analysis.lenses import followed, net_of
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
@@ -19,12 +19,7 @@ PLATE = (1 - 0.04) ** 2
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
     """Part of the emitted flux in each pixel."""
     train = OpticalTrain.of(scene, {"lens.back": heights}, 1, 0, pose or Pose(), [scene.receiver])
-    steps = CellLattice(scene, train, cells, lifted).tracing(threads)
-    while True:
-        try:
-            assert 0 <= next(steps) <= 1
-        except StopIteration as end:
-            return end.value
+    return followed(CellLattice(scene, train, cells, lifted).tracing(threads))
 
 
 def distance(image, exact):

@@ -5,7 +5,7 @@ import pytest
 
 from tests.analysis.cells.test_image import found, waves
 from tests.analysis.cells.test_lattice import distance
-from tests.analysis.lenses import net_of
+from tests.analysis.lenses import followed, net_of
 from workbench.analysis.cells.spots import Spots
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
@@ -23,12 +23,7 @@ def train_of(scene, heights):
 
 def spots_of(scene, heights, cells):
     """Part of the emitted flux in each pixel."""
-    steps = Spots(scene, train_of(scene, heights), cells).tracing()
-    while True:
-        try:
-            assert 0 <= next(steps) <= 1
-        except StopIteration as end:
-            return end.value
+    return followed(Spots(scene, train_of(scene, heights), cells).tracing())
 
 
 def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
@@ -48,8 +43,8 @@ def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
 
 def test_the_error_of_spots_is_within_its_bound(make_scene):
     scene = make_scene({"source": SUN} | WIDER)
-    exact = found(scene, waves(scene), accuracy=6e-4).irradiance
-    for accuracy in (0.1, 3e-3):
+    exact = found(scene, waves(scene), accuracy=1.5e-3).irradiance
+    for accuracy in (0.1, 8e-3):
         coarse = found(scene, waves(scene), accuracy=accuracy)
         assert distance(coarse.irradiance, exact) < coarse.bound <= accuracy
 
@@ -70,6 +65,6 @@ def test_light_is_lost_where_it_is_in_truth(make_scene):
     scene = make_scene({"source": SUN, "screen.half_width": [3.0, 3.0]})
     # Waves so steep that they reflect much of the light totally, in many places.
     steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
-    by_rays = validate(scene, np.ones((32, 32)), {"lens.back": steep}, 400_000)
+    by_rays = validate(scene, np.ones((32, 32)), {"lens.back": steep}, 100_000)
     assert by_rays.account.lost["total_reflection"] > 0.01
-    assert spots_of(scene, steep, (200, 200)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)
+    assert spots_of(scene, steep, (120, 120)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)

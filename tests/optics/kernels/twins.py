@@ -2,7 +2,6 @@
 
 import numpy as np
 import torch
-from hypothesis import strategies as st
 
 
 def lens(scene, seed, amplitude):
@@ -25,14 +24,3 @@ def with_gradient(tracer, heights, scene, cotangent):
     weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()
     (gradient,) = torch.autograd.grad(weighed, leaf, allow_unused=True)
     return light, torch.zeros_like(heights) if gradient is None else gradient
-
-
-@st.composite
-def losses(draw):
-    """Ways to lose light in a lens, as changes of a scene."""
-    coating = st.none() | st.tuples(*[st.sampled_from([0.0, 0.01, 0.5])] * 2).map(list)
-    return {
-        "lens.reflection": draw(st.sampled_from(["fresnel", "schlick", "none"])),
-        "lens.coating": draw(coating),
-        "lens.absorption": draw(st.sampled_from([0.0, 0.7])),
-    }

@@ -6,10 +6,8 @@ from typing import ClassVar
 import numpy as np
 import pytest
 import torch
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
-from tests.optics.kernels.twins import account, lens, losses, with_gradient
+from tests.optics.kernels.twins import account, lens, with_gradient
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
@@ -30,62 +28,6 @@ def share_in_band(scene, heights):
     arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"lens.back": heights})
     near = [(c - c.round()).abs() < BAND for c in (arrival.column, arrival.row)]
     return (near[0] | near[1]).double().mean().item()
-
-
-def meets_a_crease(scene):
-    """Whether a ray meets a face of degree 1 on a knot, where it has two normals."""
-    lens = scene.optic
-    axes = zip(lens.degree, lens.control_points, scene.source.rays, strict=True)
-    for degree, points, rays in axes:
-        spans = (np.arange(rays) + 0.5) / rays * (points - degree)
-        if degree == 1 and (abs(spans - spans.round()) < 1e-9).any():
-            return True
-    return False
-
-
-@st.composite
-def scenes(draw):
-    degree = draw(st.tuples(*[st.integers(1, 7)] * 2))
-    kind = draw(st.sampled_from(["box", "gaussian"]))
-    filter = {"kind": kind}
-    if kind == "gaussian":
-        filter["size"] = draw(st.lists(st.sampled_from([1, 3, 5]), min_size=2, max_size=2))
-        filter["alpha"] = draw(st.sampled_from([0.1, 1.0, 8.0]))
-    return draw(losses()) | {
-        "lens.degree": list(degree),
-        "lens.control_points": [p + draw(st.integers(1, 9)) for p in degree],
-        "lens.outline": draw(st.sampled_from(["rectangle", "ellipse"])),
-        "lens.half_width": [draw(st.floats(0.5, 2.0)), draw(st.floats(0.5, 2.0))],
-        "lens.refractive_index": draw(st.floats(1.1, 2.0)),
-        "source.rays": [draw(st.integers(1, 90)), draw(st.integers(1, 90))],
-        "screen.pixels": [draw(st.integers(1, 40)), draw(st.integers(1, 40))],
-        "filter": filter,
-    }
-
-
-# The fixture makes every scene anew.
-@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(
-    changes=scenes(), amplitude=st.sampled_from([0.0, 0.005, 0.05, 0.5]), seed=st.integers(0, 99)
-)
-def test_twins_agree_in_float64(make_scene, changes, amplitude, seed):
-    scene = make_scene(changes)
-    heights = lens(scene, seed, amplitude)
-    cotangent = torch.tensor(np.random.default_rng(seed).normal(size=scene.receiver.pixels[::-1]))
-    if share_in_band(scene, heights) > 0 and (amplitude == 0 or scene.filter.kind == "box"):
-        return  # on the edge of a pixel by symmetry: either side is right
-    if meets_a_crease(scene):
-        return  # either normal is right
-    (exact, gradient), (light, found) = (
-        with_gradient(tracer, heights, scene, cotangent) for tracer in twins(scene, torch.float64)
-    )
-    assert torch.allclose(light.flux, exact.flux, rtol=0, atol=1e-12)
-    assert account(light) == pytest.approx(account(exact), abs=1e-12)
-    assert sum(account(light).values()) + light.flux.sum().item() == pytest.approx(
-        sum(account(exact).values()) + exact.flux.sum().item(), abs=1e-12
-    )
-    assert found.isfinite().all()
-    assert (found - gradient).norm() <= 1e-10 * max(1e-3, gradient.norm().item())
 
 
 @pytest.mark.parametrize("size", [(1, 1), (3, 3), (5, 3)])
@@ -127,69 +69,6 @@ def test_any_number_of_rays_fills_its_batches(make_scene, rays):
     )
     assert torch.allclose(light.flux, exact.flux, rtol=0, atol=1e-13)
     assert (found - gradient).norm() <= 1e-11 * gradient.norm()
-
-
-@pytest.mark.parametrize("amplitude", [5.0, 1e6, np.nan])
-@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
-def test_lenses_of_random_heights_give_finite_light(make_scene, amplitude, dtype):
-    scene = make_scene({"source.rays": [100, 100]})
-    heights = lens(scene, 4, amplitude)
-    light, gradient = with_gradient(
-        twins(scene, dtype)[1], heights, scene, torch.ones(32, 32, dtype=dtype)
-    )
-    assert light.flux.isfinite().all()
-    assert gradient.isfinite().all()
-    assert sum(account(light).values()) == pytest.approx(2, abs=1e-5)  # and once as emitted
-    if amplitude != 5.0:
-        assert account(light)["total_reflection"] > 0.9
-
-
-def test_gradient_is_that_of_central_differences(make_scene):
-    scene = make_scene(
-        {
-            "lens.control_points": [5, 6],
-            "lens.degree": [2, 3],
-            "source.rays": [9, 7],
-            "screen.pixels": [6, 5],
-            "screen.half_width": [2.0, 2.0],
-        }
-    )
-    kernel = twins(scene, torch.float64)[1]
-    heights = lens(scene, 8, 0.02).requires_grad_()
-    assert share_in_band(scene, heights.detach()) == 0
-
-    def image(heights):
-        return kernel.image({"lens.back": heights}, scene.filter).flux
-
-    assert torch.autograd.gradcheck(image, [heights], eps=1e-7, atol=1e-6)
-
-
-@pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
-def test_the_number_of_threads_does_not_matter(make_scene, dtype):
-    scene = make_scene({"source.rays": [300, 200]})
-    heights = lens(scene, 6, 0.02)
-    cotangent = torch.tensor(np.random.default_rng(5).normal(size=(32, 32)))
-    kernel = twins(scene, dtype)[1]
-    before = torch.get_num_threads()
-    found = []
-    try:
-        for threads in (1, 2, 2, 3):
-            torch.set_num_threads(threads)
-            light, gradient = with_gradient(kernel, heights, scene, cotangent)
-            found.append((light, gradient))
-    finally:
-        torch.set_num_threads(before)
-    (alone, gradient), (two, gradient_two), (again, gradient_again), (three, _) = found
-    eps = torch.finfo(dtype).eps
-    assert torch.equal(two.flux, again.flux)
-    assert account(two) == account(again)
-    assert torch.equal(gradient_two, gradient_again)
-    for other in (two, three):
-        assert torch.allclose(
-            other.flux, alone.flux, rtol=0, atol=10 * eps * alone.flux.max().item()
-        )
-        assert account(other) == pytest.approx(account(alone), abs=1e3 * eps)
-    assert (gradient_two - gradient).norm() <= 1e3 * eps * gradient.norm()
 
 
 def test_two_threads_of_python_may_trace_at_once(make_scene):

@@ -1,7 +1,5 @@
 """Light of collimated beams, cones and near emitters in the check."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -31,15 +29,16 @@ OBLIQUE = BEAM | {"direction": [10.0, 4.0], "angular_diameter": 3.0}
 ALL = pytest.mark.parametrize("source", [SUN, TILTED, PARALLEL, BEAM, OBLIQUE])
 
 
+@pytest.mark.usefixtures("fewer_rays")
 @ALL
 def test_the_check_agrees_with_the_walk(make_scene, source):
     few = {"screen.pixels": [8, 8], "filter": {"kind": "box"}}
-    scene = make_scene(few | {"source": source | {"rays": [400, 400]}})
+    scene = make_scene(few | {"source": source | {"rays": [250, 250]}})
     heights = smooth(scene)
     light = Plan(scene, fused=False).trace({"lens.back": heights})
     image = light.flux.double().numpy() / scene.receiver.pixel_measure
     faces = {"lens.back": heights.numpy()}
-    found = validate(scene, image, faces, rays=100_000, accuracy=0.05)
+    found = validate(scene, image, faces, rays=60_000, accuracy=0.05)
     assert found.relative_l2_corrected < 2e-2
     assert found.account.on_screen + sum(found.account.lost.values()) == pytest.approx(1, abs=1e-9)
     for name, flux in found.account.lost.items():
@@ -48,18 +47,7 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
     assert found.by_cells.unscattered.distance < found.by_cells.bound + 5e-3
 
 
-@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01), (1e-6, 2e-6)])
-@pytest.mark.parametrize("distance", [1e-3, 1.0, 1e2, 1e6, 1e12])
-def test_on_the_axis_the_rim_goes_through_the_corners(half_width, distance):
-    height = distance * max(half_width)
-    cones = covering_cones(np.array([[0.0, 0.0, -height]]), half_width, 0.0)
-    angle = math.atan(math.hypot(*half_width) / height)
-    assert cones.versine[0] == pytest.approx(2 * math.sin(angle / 2) ** 2, rel=1e-11)
-    assert cones.centre[0] == pytest.approx([0, 0], abs=1e-12 * min(half_width))
-    assert cones.distance[0] == pytest.approx(height)
-
-
-@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01), (0.3, 4.0)])
+@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01), (1e-6, 2e-6), (0.3, 4.0)])
 @pytest.mark.parametrize("distance", [1e-2, 1.0, 1e2, 1e6, 1e12])
 def test_cones_equal_those_of_the_optimiser(half_width, distance, rng):
     aside = rng.uniform(-2, 2, (50, 2)) * max(1.0, distance)
