@@ -15,6 +15,7 @@ from workbench.analysis.metrics import Quality
 from workbench.analysis.validation import validating
 from workbench.analysis.validation_figures import Validation
 from workbench.errors import RunFailed
+from workbench.progress import finished
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -41,14 +42,6 @@ def window(display, open_window, designed, qtbot):
     return window
 
 
-def outcome(steps):
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            return end.value
-
-
 def figures(window):
     return window.status._verified.text()
 
@@ -59,7 +52,7 @@ def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
     qtbot.waitUntil(lambda: figures(window).startswith("Verified"), timeout=60_000)
     session = window.document.session
     steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
-    found = outcome(steps)
+    found = finished(steps)
     error = verified_error(found)
     assert figures(window) == f"Verified error {error}"
     assert window.status._verified.isVisible()
