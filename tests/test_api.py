@@ -10,6 +10,7 @@ import pytest
 
 import workbench
 from workbench import DesignRun, api, begin, check, export, load, save
+from workbench.scene.paths import with_values
 
 ROOT = Path(__file__).parents[1]
 
@@ -32,13 +33,19 @@ def test_importing_the_package_loads_nothing_slow_and_the_page_no_torch():
     assert done.stdout == "set() set()\n", done.stderr
 
 
+@pytest.mark.usefixtures("fewer_rays")
 def test_the_lines_of_the_manual_run_as_they_stand(tmp_path, monkeypatch, capsys):
     page = (ROOT / "resources" / "manual" / "python.md").read_text("utf-8")
     (lines,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     for number, fewer in (("=300", "=2"), ("16_000_000", "100_000")):
         assert lines.count(number) == 1
         lines = lines.replace(number, fewer)
-    (tmp_path / "resources").symlink_to(ROOT / "resources")
+    flame = load(ROOT / "resources" / "examples" / "flame.json").scene
+    few = {"lens.back.control_points": 120, "images[0].receiver.pixels": 64}
+    folder = tmp_path / "resources" / "examples"
+    folder.mkdir(parents=True)
+    (folder / "flame.json").write_text(with_values(flame, few).to_json())
+    folder.with_name("targets").symlink_to(ROOT / "resources" / "targets")
     monkeypatch.chdir(tmp_path)
     exec(compile(lines, "python.md", "exec"), {})
     *snapshots, error = capsys.readouterr().out.splitlines()

@@ -74,14 +74,15 @@ def twice(kernel):
         return 2 * kernel(values)
     return called
 
-kernel = twice(squares)
-print(kernel(np.array([3, 4], sys.argv[1])), bool(kernel.stats.cache_hits))
+for kind in sys.argv[1:]:
+    kernel = twice(squares)
+    print(kernel(np.array([3, 4], kind)), bool(kernel.stats.cache_hits))
 """
 
 
 @pytest.fixture
 def start(tmp_path):
-    """Starts a program that compiles, or loads, for a type of numbers."""
+    """Starts a program that compiles, or loads, for types of numbers."""
     program = tmp_path / "program.py"
     program.write_text(_PROGRAM)
     environment = os.environ | {
@@ -89,8 +90,8 @@ def start(tmp_path):
         "PYTHONPATH": str(ROOT.parent),
     }
 
-    def start(kind):
-        command = [sys.executable, program, kind]
+    def start(*kinds):
+        command = [sys.executable, program, *kinds]
         return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
 
     return start
@@ -106,8 +107,7 @@ def test_processes_that_compile_at_once_do_not_mix_their_code_up(start):
     kinds = {"float64": "50.0", "int64": "50"}
     processes = [start(kind) for kind in kinds]
     assert [printed(process) for process in processes] == [[f"{n} False"] for n in kinds.values()]
-    for kind, number in kinds.items():
-        assert printed(start(kind)) == [f"{number} True"]
+    assert printed(start(*kinds)) == [f"{number} True" for number in kinds.values()]
 
 
 def test_a_temporary_folder_is_not_trusted_if_others_can_write_to_it(tmp_path, monkeypatch):

@@ -1,11 +1,8 @@
 """A design run does not lose its lens: signals, full disks, ends of the process."""
 
 import errno
-import json
 import os
 import signal
-import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
@@ -34,14 +31,6 @@ def often(monkeypatch):
     """Checkpoints after every iteration."""
     monkeypatch.setattr(checkpoints, "_SECONDS", 0.0)
     monkeypatch.setattr(checkpoints, "_PART", float("inf"))
-
-
-@pytest.fixture
-def endless(scene_file, scene_data):
-    """A scene whose run does not end by itself."""
-    scene_data["run"] = {"method": "paper", "iterations": 1_000_000}
-    scene_file.write_text(json.dumps(scene_data))
-    return scene_file
 
 
 class TestSignals:
@@ -156,29 +145,12 @@ class TestCheckpoint:
         self, freeform, scene_file, out, fake_run
     ):
         left, seen = out.with_name("lens.checkpoint.freeform"), []
-        fake_run({4: lambda: seen.append(read_session(left).result.iterations)})
+        fake_run({4: lambda: seen.append((out.exists(), read_session(left).result.iterations))})
         assert freeform("design", scene_file, "-o", out)[0] == 0
-        assert seen == [3] and not left.exists()
+        assert seen == [(False, 3)] and not left.exists()
         fake_run({})
         assert freeform("design", scene_file, "-o", left)[0] == 0
         status, _, stderr = freeform("design", left, "-o", out)
         assert status == 0 and "cut off" not in stderr
         assert read_session(out).result.iterations == 20
         assert left.exists()
-
-    def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
-        program = (
-            "import sys, workbench.cli.checkpoints as checkpoints; checkpoints._SECONDS = 0.0; "
-            "from workbench.cli import main; sys.exit(main(sys.argv[1:]))"
-        )
-        arguments = ["design", endless, "-o", out]
-        left = out.with_name("lens.checkpoint.freeform")
-        with subprocess.Popen(
-            [sys.executable, "-c", program, *arguments], stderr=subprocess.PIPE, text=True
-        ) as process:
-            while not left.exists() and process.poll() is None:
-                time.sleep(0.01)
-            process.kill()
-            process.communicate()
-        assert read_session(left).result.iterations >= 0
-        assert not out.exists()

@@ -70,6 +70,7 @@ def reports(wavy, white):
         contextlib.redirect_stderr(stated),
     ):
         patch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
+        patch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 18)  # as by `fewer_rays`
         patch.setattr("workbench.cli.output._LINES", math.inf)
         patch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
         status = main(arguments)
@@ -133,6 +134,7 @@ class TestHtml:
         assert theirs == pytest.approx(ours, rel=0.02)
         assert "Images of both tracers" in [image["alt"] for image in found.images]
 
+    @pytest.mark.usefixtures("fewer_rays")
     def test_figures_are_those_of_the_check(self, freeform, page, lens):
         found = Page(page).rows
         check = json.loads(freeform("validate", lens, *RAYS, "--json")[1])

@@ -1,5 +1,4 @@
 import json
-import signal
 import subprocess
 import sys
 import time
@@ -26,7 +25,7 @@ def folder(tmp_path):
 
 @pytest.fixture
 def here(monkeypatch):
-    """Works in this process."""
+    """Have sweeps of this process work in it."""
     from workbench.sweep.processes import attempt
 
     class Here:
@@ -85,19 +84,6 @@ class TestTable:
         assert "3 is too few for degree 3" in stdout
 
 
-def start(scene_file, folder):
-    vary = ("--vary", "run.seed=0..1", "--vary", "run.iterations=1,2")
-    few = (*map(str, FEW), "--jobs", "1", "--json")
-    return subprocess.Popen(
-        [FREEFORM, "sweep", scene_file, *vary, "-o", folder, *few],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        # Where the tests run in the background, Ctrl-C is ignored and that is handed on.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
-    )
-
-
 def children(process):
     found = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
     return [Path(f"/proc/{child}") for child in found.split()]
@@ -115,12 +101,12 @@ def ends(workers):
     return not any(worker.exists() for worker in workers)
 
 
-linux = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
-
-
-@linux
-def test_a_killed_sweep_resumes_where_it_was(scene_file, folder):
-    with start(scene_file, folder) as process:
+@pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
+@pytest.mark.usefixtures("here")
+def test_a_killed_sweep_resumes_where_it_was(freeform, scene_file, folder):
+    vary = ("--vary", "run.seed=0..1", "--vary", "run.iterations=1,2")
+    command = ["sweep", scene_file, *vary, "-o", folder, *map(str, FEW), "--jobs", "1", "--json"]
+    with subprocess.Popen([FREEFORM, *command], stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr.readline().startswith("1/4  hat run.seed=0 run.iterations=1: error")
         workers = children(process)
         process.kill()
@@ -128,9 +114,8 @@ def test_a_killed_sweep_resumes_where_it_was(scene_file, folder):
     assert ends(workers)
     before = finished(folder)
     assert 1 <= len(before) < 4
-    with start(scene_file, folder) as process:
-        stdout, _ = process.communicate(timeout=120)
-    assert process.returncode == 0
+    status, stdout, _ = freeform(*command)
+    assert status == 0
     assert len(json.loads(stdout)["points"]) == 4
     assert before.items() <= finished(folder).items()
     assert len(list(folder.glob("*.freeform"))) == 4

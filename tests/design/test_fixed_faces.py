@@ -42,13 +42,17 @@ DATA = {
 }
 
 
-@pytest.fixture
-def folder(tmp_path):
+def written(folder):
     """A scene, and beside it the heights of a face that makes light diverge."""
     x, y = np.linspace(-1, 1, 9)[:, None], np.linspace(-1, 1, 7)
-    np.save(tmp_path / "bowl.npy", 4 + 0.9 * (x**2 + 0.7 * y**2))
-    (tmp_path / "scene.json").write_text(json.dumps(DATA))
-    return tmp_path
+    np.save(folder / "bowl.npy", 4 + 0.9 * (x**2 + 0.7 * y**2))
+    (folder / "scene.json").write_text(json.dumps(DATA))
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return written(tmp_path)
 
 
 def designed(session):
@@ -58,10 +62,14 @@ def designed(session):
     return run.session
 
 
-def test_a_fixed_face_stays_as_its_file_says_and_the_other_one_makes_the_image(folder):
-    begun = open_design(folder / "scene.json")
-    assert begun.scene.elements[0].faces[1].control_points == (9, 7)
-    found = designed(begun)
+@pytest.fixture(scope="module")
+def found(tmp_path_factory):
+    """The design of the scene."""
+    return designed(open_design(written(tmp_path_factory.mktemp("fixed")) / "scene.json"))
+
+
+def test_a_fixed_face_stays_as_its_file_says_and_the_other_one_makes_the_image(folder, found):
+    assert found.scene.elements[0].faces[1].control_points == (9, 7)
     given = np.load(folder / "bowl.npy")
     np.testing.assert_allclose(found.heights["stock.back"], given, atol=1e-12)
     norm = np.linalg.norm(found.target / found.target.sum())
@@ -72,17 +80,14 @@ def test_a_fixed_face_stays_as_its_file_says_and_the_other_one_makes_the_image(f
     assert check.efficiency == pytest.approx(found.result.state.account.efficiency, abs=3e-3)
 
 
-def test_a_session_keeps_the_file_of_a_fixed_face(folder):
-    found = designed(open_design(folder / "scene.json"))
-    write_session(found, folder / "found.freeform")
-    (folder / "bowl.npy").unlink()
-    again = read_session(folder / "found.freeform")
+def test_a_session_keeps_the_file_of_a_fixed_face(found, tmp_path):
+    write_session(found, tmp_path / "found.freeform")
+    again = read_session(tmp_path / "found.freeform")
     assert again.heights == found.heights
     assert designed(again).heights["stock.back"].shape == (9, 7)
 
 
-def test_a_designed_face_that_becomes_fixed_keeps_its_heights(folder):
-    found = designed(open_design(folder / "scene.json"))
+def test_a_designed_face_that_becomes_fixed_keeps_its_heights(folder, found):
     data = found.scene.to_data()
     data["elements"][1]["faces"][1]["fixed"] = True
     data["elements"][0]["faces"][1] |= {"fixed": False, "heights": None}

@@ -75,7 +75,7 @@ def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
     small = {
         "lens.back.control_points": 16,
         "images[0].receiver.pixels": 24,
-        "run.iterations": 20,
+        "run.iterations": 12,
         "images[0].target": {"builtin": "tophat"},
     }
 
@@ -83,7 +83,7 @@ def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
         scene = with_values(example, {**small, **changes})
         target = load_target(scene, path("examples"))
         best = [shot for shot in run(scene, target) if shot.best][-1]
-        return validate(scene, target, best.state.heights, rays=300_000)
+        return validate(scene, target, best.state.heights, rays=200_000)
 
     two, one = verified({}), verified({"lens.faces[0]": {"shape": "plane"}})
     (_, two_at_most), (one_at_least, _) = (

@@ -76,7 +76,7 @@ def test_a_wide_image_loses_little_by_total_reflection(scene, target):
     wide = scene.receiver.model_copy(update={"half_width": (70.0, 52.0)})
     (image,) = scene.images
     scene = scene.model_copy(update={"images": (image.model_copy(update={"receiver": wide}),)})
-    found = validate(scene, target, shared_start(scene, target), 100_000)
+    found = validate(scene, target, shared_start(scene, target), 30_000)
     reflected = [found.account.lost[f"total_reflection@{name}"] for name in ("first", "second")]
     assert 0 < sum(reflected) < 0.03
     assert found.relative_l2_corrected < 0.2

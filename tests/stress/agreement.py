@@ -25,14 +25,14 @@ _ROUNDING = 1e-4
 
 
 def disagreements(
-    seed: int, number: int, draw: type[TaskDraw] = TaskDraw
+    seed: int, number: int, draw: type[TaskDraw] = TaskDraw, accuracy: float = ACCURACY
 ) -> tuple[bool, list[str]]:
     """Whether a task could be traced, and in what its traces contradict each other."""
     data, scene = random_task(seed, number, draw)
     if scene is None:
         return False, []
     try:
-        found = contradictions(scene)
+        found = contradictions(scene, accuracy=accuracy)
     except (Refused, RunFailed) as failure:
         assert str(failure).strip()
         return False, []

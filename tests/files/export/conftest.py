@@ -7,6 +7,7 @@ import trimesh
 from tests.accounts import account_of
 from tests.scenes import changed
 from workbench.design.lens_state import LensState
+from workbench.design.levels import COARSE
 from workbench.design.snapshot import Result
 from workbench.files.export.design import Design
 from workbench.geometry.faces import FaceArrays
@@ -187,6 +188,15 @@ def closed_mesh(write):
         return mesh
 
     return do
+
+
+@pytest.fixture
+def coarse_tables(monkeypatch):
+    """Tables of few values of light by few beams, which are made sooner."""
+    monkeypatch.setattr("workbench.files.export.fitted_table.MOST_VALUES", 4000)
+    monkeypatch.setattr("workbench.files.export.far_light.JUDGED", COARSE)
+    monkeypatch.setattr("workbench.files.export.far_light._MOST_BEAMS", 1 << 12)
+    monkeypatch.setattr("workbench.files.export.far_light._ENOUGH_PIXELS", 256)
 
 
 @pytest.fixture

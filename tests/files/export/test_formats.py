@@ -7,7 +7,7 @@ from workbench.files.export.formats import ENDINGS, format_of
 from workbench.files.export.write import export
 from workbench.files.session import Session
 
-pytestmark = pytest.mark.usefixtures("small_grids")
+pytestmark = pytest.mark.usefixtures("small_grids", "coarse_tables")
 
 
 TWO_FACES = {"version": 2, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
@@ -36,7 +36,7 @@ def test_every_ending_is_written(make_session, tmp_path, ending):
     assert written.format == format_of(path).name
     assert path.stat().st_size > 1000
     size = written.deviation.size / (100 if written.deviation.unit == "%" else 1)
-    assert 0 <= size < 0.02
+    assert 0 <= size < (0.2 if ending in (".ies", ".ldt") else 0.02)  # of coarse tables
 
 
 @pytest.mark.parametrize(

@@ -44,10 +44,11 @@ def test_a_plane_is_left_with_ridges_of_the_stated_height():
     assert cut == pytest.approx([ridge, 0], rel=0.01, abs=1e-4 * SCALLOP)
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("height", [bowl, waves, lambda x, y: 0.5 * x - 0.3 * y])
-def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sign):
-    face = face_of(lambda x, y: sign * height(x, y))
+@pytest.mark.parametrize(
+    "height", [bowl, lambda x, y: -bowl(x, y), waves, lambda x, y: 0.5 * x - 0.3 * y]
+)
+def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height):
+    face = face_of(height)
     raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
     cut_off, left, _ = finished(face.cut_errors(raster))
     assert cut_off < 0.02 * SCALLOP
@@ -129,7 +130,7 @@ def test_impossible_values_are_refused_with_what_is_allowed(field, value, allowe
         Cutting(**{field: value})
 
 
-@pytest.mark.parametrize("side", ["lens", "mould", "ellipse", "entrance", "mirror"])
+@pytest.mark.parametrize("side", ["mould", "ellipse", "entrance", "mirror"])
 def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, rng, side):
     """Read back and swept by other means: what remains is what the program states."""
     unit = "inch"

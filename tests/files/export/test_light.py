@@ -7,20 +7,10 @@ import photompy
 import pyldt
 import pytest
 
-from workbench.design.levels import COARSE
 from workbench.files.export.far_light import directions_of
 from workbench.files.export.photometric import write_ies, write_ldt
 from workbench.files.export.tables import leaving
 from workbench.measured.photometry import read_photometry
-
-
-@pytest.fixture
-def coarse_tables(monkeypatch):
-    """Tables of few values of light by few beams, which are made sooner."""
-    monkeypatch.setattr("workbench.files.export.fitted_table.MOST_VALUES", 4000)
-    monkeypatch.setattr("workbench.files.export.far_light.JUDGED", COARSE)
-    monkeypatch.setattr("workbench.files.export.far_light._MOST_BEAMS", 1 << 12)
-    monkeypatch.setattr("workbench.files.export.far_light._ENOUGH_PIXELS", 256)
 
 
 @pytest.fixture
