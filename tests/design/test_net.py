@@ -56,12 +56,16 @@ def test_a_sharp_target_gets_1_875_control_points_per_pixel(chosen):
     assert chosen() == (375, 225)
 
 
-def test_detail_in_dark_places_gets_more_control_points(chosen):
+def test_sharper_edges_and_darker_places_get_more_control_points(chosen):
     x = np.arange(200)
-    stripes = 1 + 0.2 * (x % 2)
-    part_dark = np.where(x < 150, 0.2, 3.0) + 0.2 * (x % 2)
-    assert chosen(target=np.tile(part_dark, (120, 1)))[0] == 488
-    assert chosen(target=np.tile(3 * stripes, (120, 1)))[0] == 375
+
+    def along_x(dark, step):
+        lit = np.where(x % 40 < 20, 1.0, dark) + step * (x % 2)
+        return chosen(target=np.tile(lit, (120, 1)))[0]
+
+    counts = [along_x(*each) for each in ((0.8, 0.02), (0.3, 0.02), (0.0, 0.02))]
+    assert counts == sorted(counts) and counts[0] == 375 < counts[-1] == 750
+    assert along_x(0.3, 0.4) > along_x(0.3, 0.02)
 
 
 def _session(make_scene, rng, **fields):

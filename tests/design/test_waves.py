@@ -43,6 +43,17 @@ def test_only_even_waves_are_left_of_a_mirrored_net(mirrored, rng):
     assert torch.allclose(made, even, rtol=0, atol=1e-13)
 
 
+def test_larger_waves_in_places_leave_a_symmetric_and_positive_change(rng):
+    eases = rng.uniform(0.3, 3.0, SHAPE)
+    waves = Waves(SHAPE, 1.25, (True, False), eases=eases)
+    one, other = (torch.as_tensor(rng.normal(size=SHAPE)) for _ in range(2))
+    assert torch.isclose((waves.eased(one) * other).sum(), (one * waves.eased(other)).sum())
+    assert (waves.eased(one) * one).sum() > 0
+    even = Waves(SHAPE, 1.25, (True, False), eases=np.full(SHAPE, 3.0))
+    plain = Waves(SHAPE, 1.25, (True, False))
+    assert torch.allclose(even.eased(one), 3 * plain.eased(one), rtol=0, atol=1e-13)
+
+
 def test_waves_that_a_blur_damps_are_of_one_size():
     shape = 401, 61
     every = torch.as_tensor(idctn(np.ones(shape), norm="ortho"))

@@ -24,7 +24,7 @@ from workbench.design.bounds import Bounds
 from workbench.design.descent import Evaluation, FaceWaves, descend, descents_of
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
-from workbench.design.levels import finest_image, judging_image
+from workbench.design.levels import eases_of, finest_image, judging_image
 from workbench.design.loss import check_gradient
 from workbench.design.smoothness import Smoothness
 from workbench.design.snapshot import GAINED, NO_IMAGE
@@ -68,13 +68,13 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
         first = {face: bounds.limits[face].nearest(each) for face, each in bounds.first.items()}
         start = free.nearest(_joined(first, before, locked))
         image = finest_image(scene, target, start, mirrored)
-    descents = descents_of(image)
+    descents, eases = descents_of(image), eases_of(image, scene, target, start)
     steps = descend(
         image,
         partial(_evaluated, image, smoothness=smoothness),
         start,
         lambda descent: FaceWaves(
-            start, descent.power, mirrored, image.blur_widths, descent.longest
+            start, descent.power, mirrored, image.blur_widths, descent.longest, eases
         ),
         descents[-1:] if goes_on else descents,
         scene.run.iterations + goes_on,

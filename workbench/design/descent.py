@@ -3,6 +3,12 @@
 Irradiance depends on the second derivatives of the face, so short waves of the same height change
 it far more than long ones. A descent that treats all heights alike spends its steps on the short
 ones; so a wave is made small in proportion to a power of its periods per lens.
+
+Where the image is dark, light of a small part of the lens fills much of it. A wave of the face
+changes its irradiance I in proportion to I^1.5, and a pixel there takes 1 / I of the face: without
+a blur, the square of the error grows with the square of I. So waves are made larger where light
+goes to dark places. A photograph of 960 x 960 control points is 0.97 % off after 13 steps without
+this and 0.81 % with it, words of 480 x 480 end at 4.4 and 3.2 %.
 """
 
 import math
@@ -18,11 +24,14 @@ import torch
 from scipy.fft import dctn, idctn
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.snapshot import FLAT, LOWEST, SLOW, SMALL
+from workbench.geometry.faces import NO_FACES
 from workbench.messages import Message
 from workbench.optics.account import UnbalancedAccount
+from workbench.optics.kernels import threads
 
 # A blur damps waves of which it is wider than this part of a period: a disc leaves 2 J₁(πf) / (πf)
 # of a wave, which falls as 2 √(2/π) (πf)^-1.5 from here on.
@@ -70,7 +79,8 @@ class Waves:
     their periods per lens; `mirrored`: whether to leave out all waves that are not mirror images of
     themselves in u, in v; `blur_widths`: full widths of a blur of what the waves make along u and
     v, parts of the lens: the waves that it damps are all of one size; `longest`: part of the waves
-    along each axis, the longest ones, that are left.
+    along each axis, the longest ones, that are left; `eases` (n_u, n_v): how much larger waves are
+    at each control point; by default they are as large everywhere.
     """
 
     def __init__(
@@ -80,8 +90,10 @@ class Waves:
         mirrored: tuple[bool, bool],
         blur_widths: tuple[float, float] = (0.0, 0.0),
         longest: float = 1.0,
+        eases: Array | None = None,
     ) -> None:
-        self.shape = tuple(shape)
+        self.shape, self._eases = tuple(shape), eases
+        self._workers = threads.workers(math.prod(shape))
         (along_u, along_v), (b_u, b_v) = (np.arange(count) / 2 for count in shape), blur_widths
         periods = 1 + along_u[:, None] ** 2 + along_v**2
         damped = 1 + ((b_u * along_u[:, None]) ** 2 + (b_v * along_v) ** 2) / _DAMPED**2
@@ -93,14 +105,25 @@ class Waves:
             self._squares[1::2] = 0.0
         if mirrored[1]:
             self._squares[:, 1::2] = 0.0
+        self._sizes = np.sqrt(self._squares)
 
     def eased(self, gradient: Tensor) -> Tensor:
         """What a descent along the amplitudes of waves changes the net by.
 
         `gradient` (n_u, n_v): gradient with respect to the net.
         """
-        amplitudes = self._squares * dctn(gradient.cpu().numpy(), norm="ortho")
-        return torch.as_tensor(idctn(amplitudes, norm="ortho")).to(gradient)
+        values = gradient.cpu().numpy()
+        if self._eases is None:
+            values = self._filtered(values, self._squares)
+        else:
+            values = self._filtered(values, self._sizes) * self._eases
+            values = self._filtered(values, self._sizes)
+        return torch.as_tensor(values).to(gradient)
+
+    def _filtered(self, values: Array, factors: Array) -> Array:
+        amplitudes = dctn(values, norm="ortho", workers=self._workers)
+        amplitudes *= factors
+        return np.asarray(idctn(amplitudes, norm="ortho", workers=self._workers, overwrite_x=True))
 
     def even(self, net: Tensor) -> Tensor:
         """The part of a net (n_u, n_v) that is a mirror image of itself, where waves have to be."""
@@ -113,7 +136,7 @@ class FaceWaves:
     """Waves over the nets of several faces, whose values lie one after the other.
 
     `like` (n_u, n_v): A net of each face; `power`, `mirrored`, `blur_widths`, `longest`: see
-    `Waves`.
+    `Waves`; `eases` (n_u, n_v): those of each face that has some.
     """
 
     def __init__(
@@ -123,9 +146,10 @@ class FaceWaves:
         mirrored: tuple[bool, bool],
         blur_widths: tuple[float, float] = (0.0, 0.0),
         longest: float = 1.0,
+        eases: Mapping[str, Array] = NO_FACES,
     ) -> None:
         self._waves = {
-            face: Waves(each.shape, power, mirrored, blur_widths, longest)
+            face: Waves(each.shape, power, mirrored, blur_widths, longest, eases.get(face))
             for face, each in like.items()
         }
 

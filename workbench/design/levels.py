@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import torch
 from torch import Tensor
+from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 
 from workbench.arrays import Array
 from workbench.design.images import AnyImage, SeveralImages, WideImage
@@ -90,6 +91,9 @@ _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 96, 128
 _MOST_BEAMS = 1 << 22
 # Cells that show how far the light of a lens reaches.
 _FEW_CELLS = (128, 128)
+# Irradiance over the mean below which places are equally dark, and at how many places of the lens
+# along an axis it is looked at where its light goes.
+_DARK, _MOST_PLACES = 0.3, 480
 # Two faces close to a source are asked for so much more light than the first design sends: 67.1 %
 # of an LED 10 mm before a lens of 120 mm arrive with an error of 4.3 %, not 61.9 % with 3.3 %.
 _MORE_LIGHT = 1.05
@@ -266,6 +270,29 @@ def fitting_source_cells(
 def light_extent_of(scene: Scene, heights: Mapping[str, Tensor]) -> tuple[float, float]:
     """How far from the receiver's middle the light of a lens falls, in its coordinates."""
     return BeamPlan(scene, _FEW_CELLS).light_extent(heights)
+
+
+def eases_of(
+    image: AnyImage, scene: Scene, target: Array, heights: Mapping[str, Tensor]
+) -> dict[str, Array]:
+    """How much larger waves of a face are to be where its light goes to dark places.
+
+    `heights` (n_u, n_v): control heights of a lens like those to come. Returns (n_u, n_v) for each
+    face; see `workbench.design.descent`. Nothing for two faces, several images, and blurred ones.
+    """
+    if image.blurred or len(heights) > 1 or len(scene.images) > 1:
+        return {}
+    ((face, net),) = heights.items()
+    n_u, n_v = net.shape
+    column, row = BeamPlan(scene, (min(n_u, _MOST_PLACES), min(n_v, _MOST_PLACES))).places(heights)
+    wanted = torch.as_tensor(target / target.mean(), device=net.device)[None, None]
+    wanted = avg_pool2d(wanted, 3, 1, 1, count_include_pad=False)
+    n_y, n_x = target.shape
+    at = [2 * column.to(wanted) / n_x - 1, 2 * row.to(wanted) / n_y - 1]
+    places = torch.stack(at, -1).nan_to_num(0.0, 2.0, -2.0)[None]
+    found = grid_sample(wanted, places, padding_mode="border", align_corners=False)
+    found = interpolate(found, (n_v, n_u), mode="bilinear", align_corners=True)[0, 0].T
+    return {face: (1 / (found.square() + _DARK**2).sqrt()).cpu().numpy()}
 
 
 def asked_light_of(scene: Scene, heights: Mapping[str, Tensor]) -> float | None:

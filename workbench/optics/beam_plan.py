@@ -108,6 +108,12 @@ class BeamPlan:
         far_x, far_y = (float(np.quantile(np.abs(from_middle), _NEARLY_ALL)) for from_middle in far)
         return far_x, far_y
 
+    def places(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Tensor]:
+        """Columns and rows, in pixels, where the rays of the strongest line land."""
+        with torch.no_grad():
+            column, row, _ = self._strongest.tracer.nodes(heights).hits
+        return column, row
+
     def light_apart(self, heights: Mapping[str, Tensor]) -> float:
         """Which part of the light passes samples that are far apart for beams between origins.
 

@@ -30,6 +30,8 @@ _NEAR = 0.25
 # It is enough as well when so many rounds bring the images nearer by less than this part: on the
 # coarsest grid, where rounds cost little, and on finer ones.
 _PATIENCE, _COARSE_PROGRESS, _FINE_PROGRESS = 3, 0.03, 0.1
+# Rows whose envelopes are written at the same time.
+_BLOCK = 8
 # Most parts along an axis into which a cell is cut where the map stretches it.
 _MOST_PARTS = 8
 
@@ -177,34 +179,37 @@ def _lowest_along_rows(values: Array, weight: float) -> Array:
 def _envelopes(values, weight, begin, end, lowest):  # type: ignore[no-untyped-def]
     """The rows from number ``begin`` to ``end``; see `_lowest_along_rows`."""
     count = values.shape[1]
-    vertex, border, envelope = np.empty(count, np.int64), np.empty(count + 1), np.empty(count)
-    for a in range(begin, end):
-        _envelope(values[a], weight, vertex, border, envelope)
-        for k in range(count):
-            lowest[k, a] = envelope[k]
+    vertex, border = np.empty(count, np.int64), np.empty(count + 1)
+    per_distance, envelopes = np.zeros(count), np.empty((_BLOCK, count))
+    for distance in range(1, count):
+        per_distance[distance] = 1 / (weight * distance)
+    for first in range(begin, end, _BLOCK):
+        last = min(first + _BLOCK, end)
+        for a in range(first, last):
+            _envelope(values[a], weight, per_distance, vertex, border, envelopes[a - first])
+        for k in range(count):  # columns of the result lie side by side in a cache
+            for a in range(first, last):
+                lowest[k, a] = envelopes[a - first, k]
 
 
 @jit()
-def _envelope(values, weight, vertex, border, envelope) -> Any:  # type: ignore[no-untyped-def]
+def _envelope(values, weight, per_distance, vertex, border, envelope) -> Any:  # type: ignore[no-untyped-def]
     """min_j ½ w (k − j)² + values[j] for each k.
 
     ``vertex`` lists the parabolas of the envelope from left to right, and ``border`` where each
     of them begins to be the lowest.
     """
     count = len(values)
-    top = 0
-    vertex[0] = 0
-    border[0] = -np.inf
+    top, i, begins = 0, 0, -np.inf  # the last parabola of the envelope
+    vertex[0], border[0] = i, begins
     for j in range(1, count):
-        i = vertex[top]
-        crossing = 0.5 * (i + j) + (values[j] - values[i]) / (weight * (j - i))
-        while crossing <= border[top]:
+        crossing = 0.5 * (i + j) + (values[j] - values[i]) * per_distance[j - i]
+        while crossing <= begins:
             top -= 1
-            i = vertex[top]
-            crossing = 0.5 * (i + j) + (values[j] - values[i]) / (weight * (j - i))
-        top += 1
-        vertex[top] = j
-        border[top] = crossing
+            i, begins = vertex[top], border[top]
+            crossing = 0.5 * (i + j) + (values[j] - values[i]) * per_distance[j - i]
+        top, i, begins = top + 1, j, crossing
+        vertex[top], border[top] = i, begins
     border[top + 1] = np.inf
     lowest = 0
     for k in range(count):

@@ -38,7 +38,7 @@ _STRAIGHT, _NEAR, _CHARTS, _LESS = 0.001, 2e-4, 6, 0.8
 # Cells over which coordinates are smoothed: where light comes from is known to a cell.
 _SMOOTH = 1.0
 # Parts of a cell of the view along an axis, in a chart.
-_PARTS = 6
+_PARTS = 3
 
 
 class Chart(NamedTuple):
