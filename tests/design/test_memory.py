@@ -59,7 +59,7 @@ def test_the_most_pixels_that_are_allowed_take_less_than_four_gigabytes():
     most = {"version": 2, "screen.pixels": [4096, 4096], "lens.control_points": [16, 16]}
     scene = Scene.from_data(changed(most | SCENES["far"]))
     assert max(cells_of(FINE, scene)[:2]) <= 4096
-    assert 1.5e9 < auto_memory(scene) < 4e9
+    assert 1e9 < auto_memory(scene) < 4e9
 
 
 def peak_of(work):

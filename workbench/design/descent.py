@@ -343,7 +343,7 @@ def descend(
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
     every = [waves_of(descent) for descent in descents]
     waves = every[-1]
-    x = waves.values(heights)
+    x = waves.even(waves.values(heights))
     within = None if ends is None else (waves.values(ends[0]), waves.values(ends[1]))
 
     begun = False
