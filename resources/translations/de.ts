@@ -8170,6 +8170,56 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>ein anderes Zielbild</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>rim</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>left and right sides</source>
+            <translation>linken und rechten Rand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>top and bottom</source>
+            <translation>oberen und unteren Rand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a hollow one (conic of radius {radius:.3g})</source>
+            <translation>{part:.0f} % mit einer hohlen (Kegelschnitt mit Radius {radius:.3g})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a freeform one</source>
+            <translation>{part:.0f} % mit einer Freiformfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a plane entrance face</source>
+            <translation>{part:.0f} % mit einer ebenen Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>towards the {side} of the screen deflections up to {turn:.0f} degrees are needed, of which the exit face makes less than {most:.0f}: it would reflect {part:.0f} % of the light</source>
+            <translation>zum {side} des Schirms sind Ablenkungen bis {turn:.0f} Grad nötig, von denen die Austrittsfläche weniger als {most:.0f} leistet: sie würde {part:.0f} % des Lichts reflektieren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>towards the {side} of the far field deflections up to {turn:.0f} degrees are needed, of which the exit face makes less than {most:.0f}: it would reflect {part:.0f} % of the light</source>
+            <translation>zum {side} des Fernfelds sind Ablenkungen bis {turn:.0f} Grad nötig, von denen die Austrittsfläche weniger als {most:.0f} leistet: sie würde {part:.0f} % des Lichts reflektieren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{why}; a smaller or farther target needs less, and no other entrance face helps</source>
+            <translation>{why}; ein kleineres oder ferneres Ziel braucht weniger, und keine andere Eintrittsfläche hilft</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{why}. The lens can send to its place at best: {faces}. Set {field}, or use a smaller or farther target</source>
+            <translation>{why}. An ihren Ort senden kann die Linse bestenfalls: {faces}. Setzen Sie {field}, oder wählen Sie ein kleineres oder ferneres Ziel</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces</source>
             <translation>beide Flächen</translation>
@@ -8183,6 +8233,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces along lines through all images</source>
             <translation>beide Flächen entlang von Linien durch alle Bilder</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first_design.py" />
+            <source>the exit face behind a hollow entrance face</source>
+            <translation>die Austrittsfläche hinter einer hohlen Eintrittsfläche</translation>
         </message>
         <message>
             <location filename="../../workbench/design/transport/first_design.py" />

@@ -8170,6 +8170,56 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>une autre image cible</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>rim</source>
+            <translation>bord</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>left and right sides</source>
+            <translation>côtés gauche et droit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>top and bottom</source>
+            <translation>bords supérieur et inférieur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a hollow one (conic of radius {radius:.3g})</source>
+            <translation>{part:.0f} % avec une face creuse (conique de rayon {radius:.3g})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a freeform one</source>
+            <translation>{part:.0f} % avec une face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{part:.0f} % with a plane entrance face</source>
+            <translation>{part:.0f} % avec une face d'entrée plane</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>towards the {side} of the screen deflections up to {turn:.0f} degrees are needed, of which the exit face makes less than {most:.0f}: it would reflect {part:.0f} % of the light</source>
+            <translation>du côté « {side} » de l'écran, des déviations jusqu'à {turn:.0f} degrés sont nécessaires, dont la face de sortie fait moins de {most:.0f} : elle réfléchirait {part:.0f} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>towards the {side} of the far field deflections up to {turn:.0f} degrees are needed, of which the exit face makes less than {most:.0f}: it would reflect {part:.0f} % of the light</source>
+            <translation>du côté « {side} » du champ lointain, des déviations jusqu'à {turn:.0f} degrés sont nécessaires, dont la face de sortie fait moins de {most:.0f} : elle réfléchirait {part:.0f} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{why}; a smaller or farther target needs less, and no other entrance face helps</source>
+            <translation>{why} ; une cible plus petite ou plus lointaine en demande moins, et aucune autre face d'entrée n'aide</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/entrance.py" />
+            <source>{why}. The lens can send to its place at best: {faces}. Set {field}, or use a smaller or farther target</source>
+            <translation>{why}. La lentille peut envoyer à sa place au mieux : {faces}. Réglez {field}, ou choisissez une cible plus petite ou plus lointaine</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces</source>
             <translation>les deux faces</translation>
@@ -8183,6 +8233,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/transport/first_design.py" />
             <source>both faces along lines through all images</source>
             <translation>les deux faces le long de lignes à travers toutes les images</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first_design.py" />
+            <source>the exit face behind a hollow entrance face</source>
+            <translation>la face de sortie derrière une face d'entrée creuse</translation>
         </message>
         <message>
             <location filename="../../workbench/design/transport/first_design.py" />

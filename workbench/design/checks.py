@@ -8,6 +8,7 @@ from workbench.arrays import Array
 from workbench.design.loss import relative_error
 from workbench.design.net import definite
 from workbench.design.snapshot import Result, has_converged
+from workbench.design.transport.entrance import out_of_reach
 from workbench.extended.blur import Blur
 from workbench.messages import Message
 from workbench.scene import AutoNet, Scene
@@ -95,7 +96,11 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     if error < _HIGH or not has_converged(result.ended):
         return None
     limited = state.shortfall or state.account.advice(scene) or grazed(scene) or scene.run.bends
-    if limited or any(any(Blur.of(image).widths) for image in scene.single):
+    if (
+        limited
+        or out_of_reach(scene, target)
+        or any(any(Blur.of(image).widths) for image in scene.single)
+    ):
         return None
     shape = scene.optic.net_shape
     optic = scene.optic.shaped(control_points=AutoNet())

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -29,6 +30,14 @@ MARGINS = 0.05, 1.0
 _OF_A_BOX = 0.3, 0.75
 
 
+class AskedLight(NamedTuple):
+    """Light that an image shall have."""
+
+    flux: float
+    # By which the part of it that is missing counts in the error, beside that of the image.
+    weight: float = 0.0
+
+
 class WideImage:
     """Compares lenses with the target, light beside the screen included.
 
@@ -37,7 +46,7 @@ class WideImage:
     the receiver's middle light falls; `mirrored`: whether all lenses are mirror images of
     themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
     that is nearly the same everywhere: light of its middle is traced then, and blurred;
-    `asked_light`: flux that the image shall have. By default what arrives, however much that is;
+    `asked_light`: light that the image shall have. By default what arrives, however much that is;
     `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
@@ -53,7 +62,7 @@ class WideImage:
         light_extent: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
         blur: LensBlur | None = None,
-        asked_light: float | None = None,
+        asked_light: AskedLight | None = None,
         scattering: ImageBlur | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
@@ -102,9 +111,13 @@ class WideImage:
         traced = self._plan.trace(heights, self._margin)
         check_light(traced.flux.detach(), traced.account, self._scene)
         step = self._step(heights, traced)
-        light = self._asked_light or traced.account.arrived
-        error = traced.flux / light / self._wide_relative - self._wanted
-        return error / self._scale, step
+        asked = self._asked_light or AskedLight(traced.account.arrived)
+        error = traced.flux / asked.flux / self._wide_relative - self._wanted
+        error = error / self._scale
+        if asked.weight:
+            missing = 1 - traced.flux.sum() / asked.flux
+            error = torch.cat([error.flatten(), asked.weight * missing[None]])
+        return error, step
 
     def step(self, heights: Mapping[str, Tensor]) -> Step:
         """The step to report of a lens, also of one that sends no light here."""

@@ -26,6 +26,7 @@ from workbench.design.memory import check_auto, memory_notes
 from workbench.design.net import definite
 from workbench.design.paper import FilteredImage, check_paper, paper_steps
 from workbench.design.snapshot import DONE, LOCKED, Result, Snapshot
+from workbench.design.transport.entrance import out_of_reach
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.body import check_body
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
@@ -267,7 +268,11 @@ def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
     n_u, n_v = scene.optic.net_shape
     net = Message("control points: {n_u} × {n_v}, chosen for this task", n_u=n_u, n_v=n_v)
     chosen = isinstance(scene.optic.control_points, AutoNet)
-    surprises = grazed(scene), reversed_on_lit_side(scene, target)
+    surprises = (
+        grazed(scene),
+        reversed_on_lit_side(scene, target),
+        out_of_reach(scene, target),
+    )
     return tuple(filter(None, (net if chosen else None, *surprises)))
 
 

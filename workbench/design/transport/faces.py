@@ -13,6 +13,7 @@ from scipy.sparse import csr_array
 from workbench.arrays import Array
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.cells import Pair, Vector, between
+from workbench.design.transport.turning import Turning, half_angle
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.basis import clamped_knots, sparse_basis
 from workbench.geometry.surface import ControlNet
@@ -27,9 +28,6 @@ from workbench.scene import ExactMethod, PointSource, Scene
 SlopesFor = Callable[[Pair, Pair], Pair]
 """Slopes along x and y that light needs at places in cells of the lens to places u, v."""
 
-# Where no face could bend the light as wanted, the normal is kept along the axis by this part of
-# what it is where light goes straight on or back: n − 1, and 2 for a mirror.
-UPRIGHT = 0.1
 # Blocks along an axis within which what a net cannot follow cancels out.
 _BLOCKS = 16
 # Light that leaves a face changes little from one of these cells to the next: each stands for so
@@ -222,6 +220,7 @@ class Faces:
         self.scene, self.view = scene, ReceiverView.of(scene)
         self._fit, self._limits = SlopeFit(net, cells), HeightLimits.of(bounded(scene), net)
         self.light = FaceLight(scene, net, self._fit, cells)
+        self._turning, self._half_angle = Turning.at_exit(scene.optic), half_angle(scene)
 
     def begin(self) -> tuple[Array, Array] | None:
         """Heights of a lens that light leaves, and its flux in each cell; None if there is none."""
@@ -241,7 +240,7 @@ class Faces:
     def fitted(self, to: Pair, heights: Array, fits: int) -> Array:
         """Control heights of a face, from those of one like it, found in so many fits."""
         for _ in range(fits):
-            heights = self._limits.placed(self._fit.heights(*self._wanted(to, heights)))
+            heights = self._limits.placed(self._fit.heights(*self._within_reach(to, heights)))
         return heights
 
     def missed(self, to: Pair, heights: Array) -> float:
@@ -279,12 +278,21 @@ class Faces:
         return self._slopes((self.light.x, self.light.y, z), self.light.direction(z), to)
 
     def _slopes(self, place: Vector, coming: Vector, to: Pair) -> Pair:
-        optic, (d_x, d_y, d_z) = self.scene.optic, coming
-        out_x, out_y, out_z = self.scene.receiver.towards(optic, place, *to)
-        # Snell's law as vectors: the normal is along n d_in − d_out; of a mirror, n is 1.
-        n = optic.index
-        normal_z = np.maximum(n * d_z - out_z, UPRIGHT * optic.deflection)
-        return -(n * d_x - out_x) / normal_z, -(n * d_y - out_y) / normal_z
+        return self._turning.slopes(coming, self._towards(place, to))
+
+    def _towards(self, place: Vector, to: Pair) -> Vector:
+        x, y, z = self.scene.receiver.towards(self.scene.optic, place, *to)
+        return x, y, z
+
+    def _within_reach(self, to: Pair, heights: Array) -> Pair:
+        """Slopes for light that should go to places, or as near to them as a face can send it."""
+        z = self._fit.surface(heights)
+        coming = self.light.direction(z)
+        going = self._towards((self.light.x, self.light.y, z), to)
+        index = self.scene.optic.index
+        # Of a source that is seen at a slant less counts, and from farther away.
+        spread = self._half_angle * np.maximum(1 - index**2 * (1 - coming[2] ** 2), 0.0) / index
+        return self._turning.slopes(coming, self._turning.reached(coming, going, spread))
 
 
 def _coarsely(values: Array) -> Array:

@@ -20,6 +20,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.limits import bounded
+from workbench.design.transport.entrance import hollow, is_steep
 from workbench.design.transport.one_face import first_error, transport_start
 from workbench.design.transport.shared import shared_start
 from workbench.design.transport.two_faces import line_start, split_start
@@ -31,16 +32,17 @@ from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
 from workbench.powers import written
-from workbench.scene import PlaneFace, Scene, WantedImage
+from workbench.scene import ConicFace, PlaneFace, Scene, WantedImage
 
 # Control points along an axis, at most, of a lens that only shows where its face is.
 _ROUGH = 64
 _BOTH, _ALONE = Message("both faces"), Message("the exit face alone")
 _LINES = Message("both faces along lines through all images")
+_HOLLOW = Message("the exit face behind a hollow entrance face")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
 _ONE_FACE = 1.8
-_TWO_FACES = _BOTH, _LINES
+_TWO_FACES = _BOTH, _LINES, _HOLLOW
 # Where in its range an entrance face begins that is flat: in the middle, but near to a source that
 # is nearer than half the lens's width, so that more of its light meets the lens.
 _PLACE, _NEAR_PLACE = 0.5, 0.1
@@ -62,11 +64,15 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
     """The first design by transport; None if no light leaves any.
 
     A lens of two faces begins with each bending the light by half, or with a flat entrance face
-    where that makes a better image. Where one of them is fixed, the other does the rest.
+    where that makes a better image, or with a hollow one, where a flat one would ask too much of
+    the exit face. Where one of them is fixed, the other does the rest.
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control
     heights of one of two faces that is what it is, by its name, scene units.
     """
+    if isinstance(scene.optic.entrance, ConicFace):
+        behind = split_start(scene, target)
+        return None if behind is None else First(behind)
     if scene.optic.designed_front is None:
         heights = transport_start(scene, target)
         return None if heights is None else First({scene.optic.designed_face: heights})
@@ -74,7 +80,19 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
         both = split_start(scene, target, fixed)
         return None if both is None else First(both)
     found = {_BOTH: split_start(scene, target), _ALONE: _flat_start(scene, target)}
+    if is_steep(scene, target):
+        found[_HOLLOW] = split_start(scene, target, _hollow(scene))
     return _best([WantedImage(scene, target, 1.0)], found)
+
+
+def _hollow(scene: Scene) -> dict[str, Array]:
+    """Control heights of an entrance face as hollow towards the source as its range allows."""
+    optic = bounded(scene)
+    (name, net), _ = freeform_nets(scene.optic).items()
+    low, high = optic.entrance_range
+    x, y = net.positions
+    sag = hollow(optic, high - low).sag(x[:, None], y)
+    return {name: (high + sag).clip(low, high)}
 
 
 def first_of_several(

@@ -1,7 +1,7 @@
-"""Light in a lens of two freeform faces, as a first design needs it: quickly, and nearly right.
+"""Light in a lens behind a face that is not flat, as a first design needs it: quickly.
 
-Both faces are known at even cells, and taken as straight between these: a search on the B-splines
-themselves took three quarters of the time of a first design.
+Freeform faces are known at even cells, and taken as straight between these: a search on the
+B-splines themselves took three quarters of the time of a first design.
 """
 
 from collections.abc import Mapping
@@ -33,14 +33,17 @@ class LightInLens(NamedTuple):
     exit: Vector
     glass: Vector  # unit vectors along which it goes between the faces
     normal: Vector  # unit vectors upright on the exit face where it meets that
-    flux: Array | None  # of what leaves the lens, all together 1; None where that is none
+    # Of what leaves the lens, or would leave it by another exit face where this one reflects it
+    # totally; all together 1. None where that is none.
+    flux: Array | None
+    inside: Array  # flux that meets the exit face, as parts of that of the source
 
 
 class TwoFaceLight:
     """Light of a scene through even cells of the plane before the lens.
 
-    `scene`: with a lens of two freeform faces; an extended source counts as a point at its centre;
-    `fits`: the splines of each face in the middles of even cells; `cells`: along each axis.
+    `scene`: with a lens; an extended source counts as a point at its centre; `fits`: the splines of
+    each freeform face in the middles of even cells; `cells`: along each axis.
     `coming`: unit vectors along which it comes.
     """
 
@@ -66,10 +69,16 @@ class TwoFaceLight:
         with torch.no_grad():
             for step in self._path.steps:
                 name = step.surface.name
-                meeting = self._meet(name, rays, heights[name])
+                if name in self._fits:
+                    meeting = self._meet(name, rays, heights[name])
+                else:
+                    meeting = step.surface.meet(rays, {})
+                inside = torch.where(meeting.met, rays.flux, 0.0).numpy()
                 rays = step.interface.turn(rays, meeting).rays
                 found += [to_arrays(meeting.position), to_arrays(rays.direction)]
         flux = rays.flux.numpy()
+        if flux.any():
+            flux = np.where(flux > 0, flux, inside)
         entrance, glass, exit_face, _ = found
         total = float(flux.sum())
         return LightInLens(
@@ -78,6 +87,7 @@ class TwoFaceLight:
             glass,
             to_arrays(meeting.normal),
             flux / total if total > 0 else None,
+            inside,
         )
 
     def evenly(self, values: tuple[Array, Array], face: str, place: Vector) -> tuple[Array, Array]:

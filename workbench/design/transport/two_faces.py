@@ -1,4 +1,4 @@
-"""First lenses of two freeform faces: both are fitted to the ways that light shall take.
+"""First lenses whose entrance face is not flat: faces are fitted to the ways of the light.
 
 Light is followed from cells of the plane before the lens. Snell's law says what slopes turn it into
 its ways in the lens and behind it, at the places that it meets, and least squares find the faces.
@@ -15,8 +15,9 @@ from workbench.arrays import Array
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.cells import Vector
-from workbench.design.transport.faces import UPRIGHT, SlopeFit, unit
+from workbench.design.transport.faces import SlopeFit, unit
 from workbench.design.transport.one_face import FEW_ROUNDS, wanted_cells
+from workbench.design.transport.turning import Turning, half_angle
 from workbench.design.transport.two_face_light import (
     LightInLens,
     TwoFaceLight,
@@ -28,7 +29,7 @@ from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import refract
 from workbench.progress import check_interruption
-from workbench.scene import Scene, WantedImage
+from workbench.scene import Lens, Scene, WantedImage
 
 # Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.
 _CELLS = 128
@@ -55,7 +56,7 @@ def split_start(
     glass that it would take there if it came from half-way between where it comes from and where it
     should go: each face then turns light by half, which takes equal slopes of both where these are
     small. Light without a turn finds two flat faces, from however near a source it comes. Where one
-    of the faces is fixed, the other one makes the rest of the deflection.
+    of the faces is fixed, or no freeform face, the other one makes the rest of the deflection.
 
     `scene`: the design task; an extended source counts as a point at its centre; `target` (n_y,
     n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control heights of a face
@@ -192,25 +193,29 @@ _Goal = _Split | _Lines
 class _BothFaces:
     """Finds both faces of a lens.
 
-    `scene`: with a lens of two freeform faces; an extended source counts as a point at its centre;
-    `fixed` (n_u, n_v): control heights of a face that is what it is, by its name, scene units.
+    `scene`: with a lens whose exit face is freeform; an extended source counts as a point at its
+    centre; `fixed` (n_u, n_v): control heights of a face that is what it is, by its name.
     """
 
     def __init__(self, scene: Scene, fixed: Mapping[str, Array] = NO_FACES) -> None:
         nets = freeform_nets(scene.optic)
-        self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
+        optic, self._limits = scene.optic, HeightLimits.of_faces(bounded(scene))
+        assert isinstance(optic, Lens)
+        self._entering, self._leaving = Turning.at_entrance(optic), Turning.at_exit(optic)
         self._cells = cells_of_faces(nets)
         self._fits = {face: SlopeFit(net, self._cells) for face, net in nets.items()}
         self._light = TwoFaceLight(scene, self._fits, self._cells)
+        # Of a source that is seen at a slant less counts, and from farther away.
+        self._spread = half_angle(scene) * self._light.coming[2] ** 2 / optic.index
         self._plate = {
             face: np.full(net.shape, float(self._limits[face].undesigned.mean()))
             for face, net in nets.items()
         }
         self._fixed = fixed
-        self._front, self._back = nets
+        self._front, self._back = (placed.name for placed in optic.placed_faces)
         x, y = nets[self._back].positions
-        base = scene.optic.base.height_at(x[:, None], y[None, :])
-        self._thickness = float(base.mean()) - scene.optic.datum
+        base = optic.base.height_at(x[:, None], y[None, :])
+        self._thickness = float(base.mean()) - optic.datum
 
     def heights(
         self,
@@ -248,12 +253,14 @@ class _BothFaces:
                 check_interruption()
                 if fit:
                     traced = self._light.through(heights)
-                entrance = self._entrance(traced, goal, fraction)
-                traced = self._light.through({**heights, self._front: entrance})
-                heights = {
-                    self._front: entrance,
-                    self._back: self._exit(traced, goal, entrance),
-                }
+                rise = 0.0
+                if self._front in self._limits:
+                    entrance = self._entrance(traced, goal, fraction)
+                    heights[self._front] = entrance
+                    traced = self._light.through(heights)
+                    between = float(self._plate[self._back].mean() - entrance.mean())
+                    rise = max(self._thickness - between, 0.0)
+                heights[self._back] = self._exit(traced, goal, rise)
         return heights
 
     def _entrance(self, traced: LightInLens, goal: _Goal, fraction: float) -> Array:
@@ -263,7 +270,8 @@ class _BothFaces:
         coming, limits = self._light.coming, self._limits[self._front]
         way = goal.in_glass(coming, traced)
         for _ in range(_TRIALS):
-            slopes = _slopes(coming, unit(*way(fraction)), 1.0, self._index)
+            glass = self._entering.reached(coming, unit(*way(fraction)), self._spread)
+            slopes = self._entering.slopes(coming, glass)
             slopes = self._light.evenly(slopes, self._front, traced.entrance)
             heights = self._fits[self._front].heights(*slopes)
             lacks = limits.lacks(heights)
@@ -273,7 +281,7 @@ class _BothFaces:
             fraction *= _LESS * (extent - lacks) / extent
         return limits.nearest(heights)
 
-    def _exit(self, traced: LightInLens, goal: _Goal, entrance: Array) -> Array:
+    def _exit(self, traced: LightInLens, goal: _Goal, rise: float) -> Array:
         """The exit face that turns light into its way behind the lens.
 
         It rises with the entrance face where glass would be thinner than between their places: the
@@ -281,22 +289,14 @@ class _BothFaces:
         """
         if self._back in self._fixed:
             return self._fixed[self._back]
-        slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
+        behind = self._leaving.reached(traced.glass, goal.behind(traced), self._spread)
+        slopes = self._leaving.slopes(traced.glass, behind)
         heights = self._fits[self._back].heights(
             *self._light.evenly(slopes, self._back, traced.exit)
         )
-        between = float(self._plate[self._back].mean() - entrance.mean())
-        return self._limits[self._back].placed(heights, max(self._thickness - between, 0.0))
+        return self._limits[self._back].placed(heights, rise)
 
 
 def cells_of_faces(nets: Mapping[str, ControlNet]) -> int:
     """Cells along each axis of a first design on the nets of its faces."""
     return max(_CELLS, 2 * max(max(net.shape) for net in nets.values()))
-
-
-def _slopes(before: Vector, behind: Vector, index: float, other: float) -> tuple[Array, Array]:
-    """Slopes of a face between media of two indices that turns light, by Snell's law as vectors."""
-    sign = 1.0 if other > index else -1.0
-    x, y, z = (sign * (other * b - index * a) for a, b in zip(before, behind, strict=True))
-    z = np.maximum(z, UPRIGHT * abs(other - index))
-    return -x / z, -y / z
