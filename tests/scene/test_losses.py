@@ -30,13 +30,6 @@ class TestVersions:
         assert scene.optic.reflection == reflection
         assert Scene.from_json(scene.to_json()) == scene
 
-    def test_the_reflection_of_version_1_is_written(self, scene_data):
-        scene = read(scene_data, 1, control_points="auto")
-        assert scene.optic.reflection == "schlick"
-        written = scene.to_data()
-        assert written["elements"][0]["reflection"] == "schlick"
-        assert Scene.from_data(written) == scene
-
     def test_coating_and_absorption_come_back(self, scene_data):
         scene = read(scene_data, 2, coating=[0.0, 0.02], absorption=0.003)
         assert Scene.from_json(scene.to_json()) == scene

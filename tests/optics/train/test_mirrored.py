@@ -16,7 +16,6 @@ from tests.optics.train.trains import (
     two_faces,
 )
 from workbench.geometry.outlines import Ellipse, Rectangle
-from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.images.beams import beam_image
 from workbench.optics.sources import Origins
 from workbench.optics.train.compiled import CompiledTrain
@@ -106,26 +105,6 @@ def test_a_quarter_of_the_rays_gives_the_whole_image(path_of):
         # Light on edges of pixels has another slope on each side.
         other = symmetric(other, both)
         assert (one - other).norm() < 1e-10 * other.norm()
-
-
-@pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
-def test_half_of_the_samples_of_a_point_on_the_axis_have_its_gradient(make_scene, mirrored):
-    source = {"kind": "point", "position": [0, 0, -3.0]}
-    scene = make_scene({"source": source, "screen.half_width": [1.5, 1.5]})
-    generator = np.random.default_rng(3)
-    heights = torch.tensor(0.5 + 0.02 * generator.normal(size=scene.optic.net_shape))
-    cotangent = symmetric(torch.tensor(generator.normal(size=(32, 32))), mirrored).T
-    heights, found = symmetric(heights, mirrored), []
-    for promise in (mirrored, (False, False)):
-        leaf = heights.clone().requires_grad_()
-        plan = BeamPlan(scene, (40, 36), mirrored=promise, dtype=torch.float64)
-        image, account = plan.trace({"lens.back": leaf})
-        (gradient,) = torch.autograd.grad((image * cotangent).sum(), leaf)
-        found.append((image.detach(), account.to_data(), gradient))
-    (part, light, part_gradient), (whole, all_light, gradient) = found
-    assert (part - whole).abs().max() < 1e-12
-    assert light == pytest.approx(all_light, abs=1e-12)
-    assert (part_gradient - gradient).norm() < 1e-8 * gradient.norm()
 
 
 def test_one_of_two_mirrored_origins_is_traced():

@@ -11,6 +11,11 @@ from workbench.sweep.processes import Failed, attempt
 pytestmark = pytest.mark.usefixtures("kernels")
 
 
+@pytest.fixture
+def session(make_session):
+    return make_session({"run.iterations": 1})
+
+
 class Here:
     """Works in the thread that asks, so that no process has to start."""
 

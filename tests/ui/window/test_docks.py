@@ -32,7 +32,7 @@ def test_irradiance_target_and_difference_have_a_third_of_the_window(
     assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
 
 
-STEPS = 60
+STEPS = 30
 
 
 def test_many_steps_are_listed_and_gone_through_by_keyboard(window, qtbot):
