@@ -46,7 +46,7 @@ def test_without_a_display_one_line_says_so(where):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names platforms of Linux")
-@pytest.mark.parametrize("platform", ["wayland", "eglfs", "nonsense"])
+@pytest.mark.parametrize("platform", ["wayland", "nonsense"])
 def test_a_platform_that_cannot_start_is_named_in_one_line(platform):
     done = run(QT_QPA_PLATFORM=platform, DISPLAY=":987", WAYLAND_DISPLAY="")
     assert (done.returncode, done.stdout) == (1, "")
