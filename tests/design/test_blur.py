@@ -7,7 +7,13 @@ import pytest
 import torch
 
 from workbench.analysis.validation import validate
-from workbench.design.lens_blur import LensBlur, LightBlurring, lens_blur_of, plan_of
+from workbench.design.lens_blur import (
+    BlurChange,
+    LensBlur,
+    LightBlurring,
+    lens_blur_of,
+    plan_of,
+)
 from workbench.design.transport import first_design, transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
@@ -15,6 +21,7 @@ from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
+from workbench.scene import Scene
 
 GRID = {"kind": "grid", "center": [0, 0, -8], "half_width": [0.25, 0.25], "points": [6, 6]}
 
@@ -128,6 +135,20 @@ def test_widths_change_as_rays_of_the_source_say(sun):
     found = (1 + change[0, 20, column]) / (1 + change[0, 20, 25])
     assert found == pytest.approx(width(rim) / width(np.zeros(1)), abs=1e-3)
     assert abs(found - 1) > 0.008
+
+
+def test_a_fold_mirror_does_not_change_how_the_blur_changes(sun):
+    data = sun.to_data()
+    (lens,), (image,) = data["elements"], data["images"]
+    fold = {"kind": "mirror", "name": "fold", "half_width": [3, 3], "tilt": [45, 0, 0]}
+    fold |= {"face": {"shape": "plane"}, "position": [0, 0, 0]}
+    # Light along +z goes on along +y.
+    lens = lens | {"tilt": [-90, 0, 0], "position": [0, 3, 0]}
+    screen = image["receiver"] | {"tilt": [-90, 0, 0], "position": [0, 8, 0]}
+    data |= {"elements": [fold, lens], "images": [image | {"receiver": screen}]}
+    folded, heights = Scene.from_data(data), lens_of(sun, 0.1)
+    plain, behind = (BlurChange.of(each, heights) for each in (sun, folded))
+    np.testing.assert_allclose(behind.factors, plain.factors, atol=1e-6)
 
 
 def test_image_with_a_changing_blur_is_nearer_to_that_of_many_origins(sun, rng):

@@ -196,7 +196,7 @@ class RunCheck(QObject):
         self._result: Result | None = None  # that it is of
         self._background = Background(later("check of the run"), self)
         self._background.done.connect(self._show_outcome)
-        self._background.failed.connect(self.failed)
+        self._background.failed.connect(self._give_up)
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._check_frame)
         control.ended.connect(self._finish)
@@ -234,13 +234,14 @@ class RunCheck(QObject):
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
-        self._last, self._result = None, result
-        self._emit_figures()
+        self._last, self._result, self._text = None, result, ""
         if result is not None and frame is not None:
+            self._text = tr("checking…")
             self._end = CheckedLens(
                 self._document.session, result.state.heights, result.iterations, result.seconds
             )
             self._background.begin(partial(check, self._end, RAYS, None, ACCURACY), self._end)
+        self._emit_figures()
 
     def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
         found, _ = outcome
@@ -272,8 +273,15 @@ class RunCheck(QObject):
 
     def _follow_document(self, session: "Session") -> None:
         if self._end is not None and not lit_alike(self._end.session, session):
+            if self._background.busy:
+                self._text = ""
             self._background.cancel()
         self._emit_figures()
+
+    def _give_up(self, sentence: str) -> None:
+        self._text = ""
+        self._emit_figures()
+        self.failed.emit(sentence)
 
     def _emit_figures(self) -> None:
         same = self._control.busy or self._document.session.result is self._result

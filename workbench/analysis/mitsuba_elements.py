@@ -143,16 +143,16 @@ def mitsuba_elements(
         element = each.lit(scene.source.wavelength)
         reach = min(_free_reach(stations, number, each), farthest)
         placed = _Placed(mi, element, heights, reach, coordinates)
-        own = row_of(_KINDS, element)(placed)
+        own = row_of(_KINDS, element)(placed, element)
         if number or element.onwards > 0:  # light of the source comes to a mirror alone
             own |= _baffles(placed, apertured=number == 0)
         shapes |= {f"{name}{number}": shape for name, shape in own.items()}
     return shapes
 
 
-def _lens(placed: _Placed) -> Shapes:
+def _lens(placed: _Placed, element: Lens) -> Shapes:
     """Both faces, and walls that absorb light which leaves by the sides."""
-    mi, element = placed.mi, placed.element
+    mi = placed.mi
     u, v = placed.grid()
     front, back = (
         face_points(element, face, u, v, placed.heights) for face in element.placed_faces
@@ -169,19 +169,17 @@ def _lens(placed: _Placed) -> Shapes:
     }
 
 
-def _mirror(placed: _Placed) -> Shapes:
+def _mirror(placed: _Placed, element: Mirror) -> Shapes:
     """The face, which reflects on both sides."""
-    element = placed.element
     u, v = placed.grid()
     (face,) = element.placed_faces
-    reflectance = element.reflectance if isinstance(element, Mirror) else 1.0
     metal = placed.mi.load_dict(
         {
             "type": "twosided",
             "bsdf": {
                 "type": "conductor",
                 "material": "none",
-                "specular_reflectance": {"type": "rgb", "value": reflectance},
+                "specular_reflectance": {"type": "rgb", "value": element.reflectance},
             },
         }
     )
@@ -189,10 +187,8 @@ def _mirror(placed: _Placed) -> Shapes:
     return {"face": _mesh(placed, points, metal, face_normals(element, face, u, v, placed.heights))}
 
 
-def _diffuser(placed: _Placed) -> Shapes:
+def _diffuser(placed: _Placed, element: Diffuser) -> Shapes:
     """The plane, which scatters all light to its other side."""
-    element = placed.element
-    assert isinstance(element, Diffuser)
     u, v = placed.grid()
     (face,) = element.placed_faces
     law = scattering(placed.mi, element)
@@ -331,7 +327,7 @@ def _triangles(rows: int, columns: int) -> Indices:
     return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
-_KINDS: Mapping[type, Callable[[_Placed], Shapes]] = {
+_KINDS: Mapping[type, Callable[[_Placed, Any], Shapes]] = {
     Lens: _lens,
     Mirror: _mirror,
     Diffuser: _diffuser,

@@ -69,6 +69,8 @@ class BlurChange:
         of the lens. Returns None if that does not determine it: where no light lands, or light from
         several parts of the lens lands at the same places.
         """
+        # Through a place of the designed face: before a fold mirror, rays of a place part again.
+        scene = scene.alone
         known = scene.model_copy(update={"source": of_known_size(scene.source, scene.optic)})
         spots = BeamPlan(known, Corners.and_of_source(*_PLACES, _RIM)).spots(heights)
         middle = [count / 2 for count in scene.receiver.pixels]

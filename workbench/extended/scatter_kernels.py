@@ -192,9 +192,8 @@ _SQUARE_DEGREE = math.radians(1) ** 2  # steradians
 
 def across(diffuser: Diffuser, receiver: AnyReceiver) -> Array:
     """The vector from a diffuser straight to a plane parallel to it."""
-    assert isinstance(receiver, Screen)
     normal = diffuser.turn[:, 2]
-    return np.asarray(normal @ np.subtract(receiver.position, diffuser.position) * normal)
+    return np.asarray(normal @ (receiver.middle_in_scene - diffuser.position) * normal)
 
 
 def directions_in_far_field(h: Array, v: Array, onwards: int) -> Array:

@@ -121,13 +121,12 @@ def film_scene(scene: Scene) -> Scene:
         return scene
     images = []
     for image in scene.images:
-        screen = image.receiver
-        assert isinstance(screen, Screen)  # the scene refuses others
+        screen = image.receiver  # a plane: the scene refuses others
         way = across(diffuser, screen)
-        side = min(2 * r / n for r, n in zip(screen.half_width, screen.pixels, strict=True))
+        side = min(2 * r / n for r, n in zip(screen.half_extent, screen.pixels, strict=True))
         # Not on it: light comes to a receiver from before.
         gap = _GAP * side / float(np.linalg.norm(way))
-        x, y, z = np.subtract(screen.position, (1 - gap) * way).tolist()
+        x, y, z = (screen.middle_in_scene - (1 - gap) * way).tolist()
         moved = screen.model_copy(update={"position": (x, y, z)})
         images.append(image.model_copy(update={"receiver": moved}))
     return scene.with_images(images)

@@ -119,16 +119,24 @@ class AnyReceiver(Part):
         return math.inf, math.inf
 
     @property
-    def plane_z(self) -> float:
-        """Where its middle stands along the axis, scene units.
+    def middle_in_scene(self) -> Array:
+        """Where its middle stands in the scene, shape (3,).
 
         Raises `Refused` if it is at no distance.
         """
-        raise Refused("receiver", Message("is at no distance; a screen is needed"))
+        if (place := self.stands_at) is None:
+            raise Refused("receiver", Message("is at no distance; a screen is needed"))
+        return place
+
+    @property
+    def plane_z(self) -> float:
+        """Where its middle stands along the axis, scene units; refused as for `middle_in_scene`."""
+        return float(self.middle_in_scene[2])
 
     def moved_to(self, z: float) -> Self:
-        """The same with its middle elsewhere along the axis; refused as for `plane_z`."""
-        raise Refused("receiver", Message("is at no distance; a screen is needed"))
+        """The same with its middle elsewhere along the axis; refused as for `middle_in_scene`."""
+        x, y, _ = self.middle_in_scene.tolist()
+        return self.model_copy(update={"position": (x, y, z)})
 
     @abstractmethod
     def towards(

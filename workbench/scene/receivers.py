@@ -121,15 +121,6 @@ class Screen(AnyReceiver):
         (x, y), (about_x, about_y, about_z) = self.center, self.tilt
         return x == about_y == about_z == 0, y == about_x == about_z == 0
 
-    @property
-    def plane_z(self) -> float:
-        """Its z."""
-        return self.z
-
-    def moved_to(self, z: float) -> Self:
-        """The same at another z."""
-        return self.model_copy(update={"position": (*self.center, z)})
-
     def towards(
         self, optic: Element, place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
