@@ -10,7 +10,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.surfaces.intersection import RIM, Bundle, ExactIntersection
 
 DTYPES = [torch.float32, torch.float64]
-RAYS = 10_000
+RAYS = 4_000
 
 
 def rays(rng, count, half_width, slope):
@@ -124,7 +124,7 @@ def test_roots_are_those_of_bisection_and_no_ray_is_lost(net, kind, rng):
 def test_the_first_of_several_roots(rng, degree, before):
     net = ControlNet((24, 20), degree, (1.0, 1.0))
     heights = rng.uniform(0.2, 0.8, size=net.shape)
-    bundle = rays(rng, 1200, net.half_width, 0.9)
+    bundle = rays(rng, 600, net.half_width, 0.9)
     reference = Reference(net, heights, bundle)
     roots, expected = reference.first_roots(3000)
     depth, found = meet(
