@@ -17,6 +17,12 @@ CURE = "run `python -m resources.dictionaries`, translate what it lists, and run
 _BRACES = re.compile(r"\{[^}]*\}")
 
 
+@pytest.fixture(scope="module")
+def texts():
+    """All texts of the window, and the files that they are in."""
+    return dictionaries.keys()
+
+
 @pytest.fixture(scope="module", params=TRANSLATED)
 def dictionary(request):
     """The file of a language, and what stands in it."""
@@ -24,9 +30,8 @@ def dictionary(request):
     return file, dictionaries.translations(file)
 
 
-def test_each_text_of_the_window_is_in_both_dictionaries_and_no_other_is(dictionary):
+def test_each_text_of_the_window_is_in_both_dictionaries_and_no_other_is(dictionary, texts):
     file, found = dictionary
-    texts = dictionaries.keys()
     missing = {text: place for text, place in texts.items() if text not in found}
     assert not missing, f"{file} lacks texts by now: {CURE}"
     assert not found.keys() - texts.keys(), f"{file} has texts that are gone: {CURE}"
@@ -80,8 +85,7 @@ def test_no_two_entries_of_a_menu_have_one_mnemonic(dictionary):
         assert not shared
 
 
-def test_fixed_sentences_of_the_engine_are_collected_from_its_code():
-    places = dictionaries.keys()
+def test_fixed_sentences_of_the_engine_are_collected_from_its_code(texts):
     for text in (
         "all control points are locked",
         "all iterations are done",
@@ -90,13 +94,12 @@ def test_fixed_sentences_of_the_engine_are_collected_from_its_code():
         "not designed yet",
         "stopped",
     ):
-        file = ROOT / places[text]
+        file = ROOT / texts[text]
         assert file.is_relative_to(ROOT / "workbench" / "design")
         assert text in file.read_text(encoding="utf-8")
 
 
-def test_sentences_of_the_optic_are_there_for_each_optic():
-    texts = dictionaries.keys()
+def test_sentences_of_the_optic_are_there_for_each_optic(texts):
     assert {f"There is no {optic} yet; Start designs one" for optic in ("lens", "mirror")} <= {
         *texts
     }

@@ -80,7 +80,7 @@ def test_examples_improve(name, part):
         "source.rays": few[scene.source.kind],
         "images[0].receiver.pixels": [48, 48],
         "lens.back.control_points": [16, 16],
-        "run.iterations": 20,
+        "run.iterations": 10,
     }
     if scene.source.kind == "grid":
         changes["source.points"] = [9, 9]
