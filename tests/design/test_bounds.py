@@ -38,7 +38,7 @@ def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene,
     assert (short.cause, short.allowed) == ("height_range", (-0.05, 0.05))
     assert short.needed == pytest.approx((first.min() - 0.5, first.max() - 0.5), rel=0.1)
     heights = last.state.heights["lens.back"]
-    assert 0.45 <= heights.min() and heights.max() <= 0.55
+    assert heights.min() >= 0.45 and heights.max() <= 0.55
     assert short.share == pytest.approx((np.abs(heights - 0.5) >= 0.05 * (1 - 2 * 0.003)).mean())
 
 

@@ -32,8 +32,8 @@ _REAL = 8  # bytes of a float64
 # Of light from far away, of that of a near source, and with two faces.
 _MAPPED = 32 << 20
 _FAR, _NEAR, _BOTH = (26, 26), (58, 76), (122, 76)
-# Numbers of a node: those of hits and flux, and their cotangents, in the precision of the trace; and
-# in float64 what rows of nodes and images of parts take, measured.
+# Numbers of a node: those of hits and flux, and their cotangents, in the precision of the trace;
+# and in float64 what rows of nodes and images of parts take, measured.
 _TRACED, _DRAWN = 6, 1
 # Those of a node where beams run between origins: hits and flux in the order of the trace and in
 # that of the samples, which are drawn in small batches.
