@@ -75,7 +75,7 @@ def test_the_schema_allows_numbers_and_auto():
     assert auto == {"const": "auto"} and numbers["maxItems"] == 2
     (field,) = (field for field in SplineFace.fields() if field.name == "control_points")
     assert field.auto and not field.optional and field.count == 2
-    assert field.limits == "From 2 to 1024."
+    assert field.limits == "From 2 to 2048."
 
 
 def test_the_lens_remarks_what_was_chosen(make_scene):

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 Degree = Annotated[int, Field(ge=1, le=7)]
-LARGEST_NET = 1024
+LARGEST_NET = 2048
 """Control points along an axis, at most."""
 
 NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
