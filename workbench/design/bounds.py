@@ -11,6 +11,7 @@ from torch import Tensor
 from workbench.arrays import Array, Mask
 from workbench.design.limits import CLOSEST, Cause, HeightLimits, Shortfall, bounded
 from workbench.design.transport import First, behind_flat_entrance, first_design
+from workbench.design.transport.view import overlaps
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.messages import Message
@@ -125,6 +126,8 @@ _FULL = 0.85
 _MARGIN = 0.02
 # What the first design may lack, as a part of its extent along z, without being any worse.
 _TOLERABLE = 0.02
+# Control points along an axis of a coarser task, at least.
+_FEWEST_POINTS = 16
 
 
 class Bounds:
@@ -198,6 +201,38 @@ class Bounds:
             for element in (*others, lens)
             for face, limits in HeightLimits.of_faces(element).items()
         }
+
+    @property
+    def too_narrow(self) -> bool:
+        """Whether the first design of a single image, with no locks, does not fit within them."""
+        several = len(self.scene.images) > 1 or bool(self._others or self.locked)
+        return not several and any(self._lacking(face) for face in self.first or ())
+
+    def _lacking(self, face: str) -> bool:
+        """Whether the first design of a face lacks more of its limits than does no harm."""
+        assert self.first is not None
+        return self.limits[face].lacks(self.first[face]) > self._tolerable(face)
+
+    def _tolerable(self, face: str) -> float:
+        assert self.first is not None
+        off = self.first[face] - self.limits[face].undesigned
+        return _TOLERABLE * float(np.ptp(off))
+
+    def coarser(self, times: int) -> "Bounds":
+        """Bounds of the same task with so many times fewer pixels and control points along axes."""
+        receiver, optic = self.scene.receiver, self._ranged
+        n_x, n_y = (count // times for count in receiver.pixels)
+        into_y, into_x = (
+            overlaps(count, cells)
+            for count, cells in zip(self.target.shape, (n_y, n_x), strict=True)
+        )
+        n_u, n_v = (
+            max(count // times, _FEWEST_POINTS, degree + 1)
+            for count, degree in zip(optic.net_shape, optic.degree, strict=True)
+        )
+        scene = self.scene.with_optic(optic.shaped(control_points=(n_u, n_v)))
+        scene = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
+        return Bounds(scene, into_y @ self.target @ into_x.T)
 
     def alone(self) -> "Bounds":
         """Bounds of the exit face alone behind a flat entrance face.
@@ -280,10 +315,9 @@ class Bounds:
     def _need(self, share: float) -> Shortfall | None:
         if self.first is None:
             return None
-        first, limits = self.first[self._face], self.limits[self._face]
-        tolerable = _TOLERABLE * float(np.ptp(first - limits.undesigned))
-        if limits.lacks(first) <= tolerable:
+        if not self._lacking(self._face):
             return None
+        first, tolerable = self.first[self._face], self._tolerable(self._face)
         optic = self.scene.optic.shaped(height_range=None)
         optic = bounded(self.scene.with_optic(optic), CLOSEST)
         limits = HeightLimits.of(optic, self._net)

@@ -16,7 +16,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import chain, islice
+from itertools import islice
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -41,6 +41,8 @@ _DAMPED = 0.435
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
+# A step whose curvature is a smaller part of the largest that it could be says nothing of it.
+_LEAST_CURVATURE = 1e-10
 # Steps that together have to gain something: five with so many beams, more where each costs less.
 _STEPS, _BEAMS, _MOST_STEPS = 5, 768**2, 8
 # Smaller errors are below the error of the image itself.
@@ -264,14 +266,9 @@ def minimise(
         x, here = reached, there
         yield x, here  # before its gradient, which the last point does without
         turned = here.gradient - gradient
-        pairs.extend(_pairs(moved, turned))
-
-
-def _pairs(moved: Tensor, turned: Tensor) -> Iterator[_Pair]:
-    """The pair of a step, if it shows a curvature."""
-    product = torch.dot(moved, turned).item()
-    if product > 1e-10 * (moved.norm() * turned.norm()).item():
-        yield _Pair(moved, turned, product)
+        product = torch.dot(moved, turned).item()
+        if product > _LEAST_CURVATURE * (moved.norm() * turned.norm()).item():
+            pairs.append(_Pair(moved, turned, product))
 
 
 def _free(x: Tensor, gradient: Tensor, low: Tensor, high: Tensor) -> Tensor | None:
@@ -292,12 +289,11 @@ def _direction(
     """
 
     def eased_free(gradient: Tensor) -> Tensor:
-        return eased(gradient) if free is None else free * eased(gradient)
+        return eased(gradient) if free is None else free * eased(free * gradient)
 
     gradient = here.gradient
     if free is not None:
-        among = (_pairs(pair.moved * free, pair.turned * free) for pair in pairs)
-        pairs, gradient = list(chain.from_iterable(among)), free * gradient
+        pairs, gradient = list(_among(pairs, free)), free * gradient
     if not pairs:
         steepest = eased_free(gradient)
         square = torch.dot(gradient, steepest).clamp_min(1e-300)
@@ -313,6 +309,15 @@ def _direction(
     for (moved, turned, product), factor in zip(pairs, reversed(factors), strict=True):
         q.add_(moved, alpha=factor - torch.dot(turned, q).item() / product)
     return q
+
+
+def _among(pairs: Sequence[_Pair], free: Tensor) -> Iterator[_Pair]:
+    """Steps of the free coordinates alone, as far as they show a curvature."""
+    for pair in pairs:
+        moved = pair.moved * free
+        product = torch.dot(moved, pair.turned).item()
+        if product > _LEAST_CURVATURE * pair.product:
+            yield _Pair(moved, pair.turned, product)
 
 
 def descents_of(image: AnyImage) -> tuple[Descent, ...]:

@@ -78,7 +78,7 @@ class ReceiverView(NamedTuple):
         """
         image = image[::-1].T
         if not self.leans:
-            into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
+            into_0, into_1 = (overlaps(count, cells) for count in image.shape)
             return np.asarray(into_0 @ image @ into_1.T)
         samples = max(_PER_CELL, math.ceil(_PER_PIXEL * max(image.shape) / cells))
         (m_x, m_y), (r_x, r_y) = self.middle, self.half_extent
@@ -102,7 +102,7 @@ class ReceiverView(NamedTuple):
         return x, y
 
 
-def _overlaps(pixels: int, cells: int) -> Array:
+def overlaps(pixels: int, cells: int) -> Array:
     """Which part of each pixel lies in each cell of the same line, shape (cells, pixels)."""
     below = (np.linspace(0, pixels, cells + 1)[:, None] - np.arange(pixels)).clip(0, 1)
     return np.diff(below, axis=0)
