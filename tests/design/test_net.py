@@ -63,9 +63,9 @@ def test_sharper_edges_and_darker_places_get_more_control_points(chosen):
         lit = np.where(x % 40 < 20, 1.0, dark) + step * (x % 2)
         return chosen(target=np.tile(lit, (120, 1)))[0]
 
-    counts = [along_x(*each) for each in ((0.8, 0.02), (0.3, 0.02), (0.0, 0.02))]
-    assert counts == sorted(counts) and counts[0] == 375 < counts[-1] == 750
-    assert along_x(0.3, 0.4) > along_x(0.3, 0.02)
+    counts = [along_x(*each) for each in ((0.9, 0.02), (0.6, 0.02), (0.0, 0.02))]
+    assert counts == sorted(counts) and counts[0] == 375 < counts[-1] == 600
+    assert along_x(0.7, 0.3) > along_x(0.7, 0.02)
 
 
 def _session(make_scene, rng, **fields):

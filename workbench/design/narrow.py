@@ -5,9 +5,8 @@ descent on a fine net moves light over long distances slowly. So the descent beg
 and control points, whose steps cost next to nothing, and is carried to finer ones. It begins with
 the surface within the range whose slopes are closest to those of the first design.
 
-Of 128 × 128 pixels, in half of the range that the first design needs: a photograph ends at 11 %
-in place of 48 %, and at 16 % after 320 steps on the fine net alone; one on a screen of twice the
-width of the lens at 12 % in place of 66 %, and at 35 % after 160 steps.
+In half of the range that the first design needs, a photograph of 128 × 128 pixels ends at 11 % in
+place of 48 %, and at 16 % after 320 steps on the fine net alone.
 """
 
 from collections.abc import Callable, Mapping
