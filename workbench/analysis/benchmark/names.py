@@ -4,12 +4,12 @@ from typing import NamedTuple
 
 BENCHMARKS = {
     "quick": "verified error against time on two small scenes, within two minutes",
-    "pictures": "photographs, words and line art: error, time, memory, and all images",
+    "pictures": "real pictures and words: error, time, memory, images",
     "frontier": "verified error against time: every kind of scene, each method",
     "bound": "lenses for four pictures in the sun, and what no lens is below",
-    "led": "lenses close to an LED: how much light lands on a rectangle, and how evenly",
-    "mitsuba": "the check beside Mitsuba 3: every source, receiver and outline; an hour or so",
-    "trains": "the same of the examples of several elements and of white light, designed first",
+    "led": "lenses close to an LED: light on a rectangle, evenness",
+    "mitsuba": "the check beside Mitsuba 3, for an hour or so",
+    "trains": "the same of trains and of white light, designed first",
     "paper": "all experiments of the paper: a table, and a page of pictures",
 }
 """What each measures."""
