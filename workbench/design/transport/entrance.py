@@ -200,8 +200,9 @@ def reach(scene: Scene, target: Array, face: Face) -> EntranceReach:
     turning = Turning.at_exit(optic)
     passing = turning.passing(turn / 2 if freeform else turn, spread)
     lost = traced.inside * (1 - passing)
+    total = float(lost.sum()) or 1.0  # where no light is lost, none lands anywhere
     across, up = (
-        float((lost * abs(place - middle)).sum() / lost.sum()) / half
+        float((lost * abs(place - middle)).sum()) / total / half
         for place, middle, half in zip(to, receiver.middle, receiver.half_extent, strict=True)
     )
     largest = float(np.degrees(turn[traced.inside > 0].max()))
