@@ -127,7 +127,7 @@ def _descended(
 
 
 def _improved(bounds: Bounds, most: int) -> Mapping[str, Array]:
-    """Heights of a lens that so many steps improve, however little some of them gain."""
+    """Heights of a lens after ``most`` steps, however little some of them gain."""
     scene, target = bounds.scene, bounds.target
     device = device_of(scene)
     free, mirrored = bounds.height_range(device), _mirrored(scene, target, bounds.begin)

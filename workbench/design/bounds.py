@@ -219,7 +219,7 @@ class Bounds:
         return _TOLERABLE * float(np.ptp(off))
 
     def coarser(self, times: int) -> "Bounds":
-        """Bounds of the same task with so many times fewer pixels and control points along axes."""
+        """Bounds of the task with pixels and control points of each axis divided by ``times``."""
         receiver, optic = self.scene.receiver, self._ranged
         n_x, n_y = (count // times for count in receiver.pixels)
         into_y, into_x = (

@@ -20,7 +20,7 @@ from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import nets_of
 
 Improve = Callable[[Bounds, int], Mapping[str, Array]]
-"""Descends within bounds for so many steps, and gives the heights of the best lens."""
+"""Descends within bounds for a number of steps, and returns the heights of the last lens."""
 
 # Pixels along the shorter axis of the coarsest image, at least, and the steps there. An image of
 # twice as many pixels gets this part of the steps of the one before, at least the last number.
