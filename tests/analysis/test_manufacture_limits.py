@@ -5,9 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.manufacture import Extreme, Manufacture
+from workbench.analysis.manufacture import Extreme, Limits, Manufacture, verdicts
 from workbench.analysis.manufacture_bounds import shape_bounds
-from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.surface import ControlNet
 

@@ -12,8 +12,14 @@ from ui.panels.entries import RowEntries, edited_data
 from ui.panels.fields import OptionalRow, described
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
-from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
-from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
+from workbench.analysis.manufacture import (
+    Extreme,
+    FaceFigures,
+    Limits,
+    Manufacture,
+    Verdict,
+    verdicts,
+)
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.powers import written

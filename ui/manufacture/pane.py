@@ -13,8 +13,13 @@ from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
 from ui.widgets.controls import SideBySide
 from ui.words import later, tr
-from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacturing, surface_maps
-from workbench.analysis.manufacture_limits import Limits
+from workbench.analysis.manufacture import (
+    Limits,
+    Manufacture,
+    SurfaceMaps,
+    manufacturing,
+    surface_maps,
+)
 from workbench.arrays import Array
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit

@@ -1,4 +1,4 @@
-"""Figures of a lens for manufacture: thickness, slopes, radii of curvature, draft.
+"""Figures of a lens for manufacture: thickness, slopes, radii of curvature, draft; their limits.
 
 Each extreme has two values: the extreme of many samples, and a bound for all points from the convex
 hulls of the polynomials.
@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -26,6 +26,9 @@ _PARTS = 256  # least parts along each axis for hulls; samples are twice as many
 # Fractions of the time of `_figures`: of 1.5 s on a net of 480 × 480, maps took 0.15, bounds 0.95.
 _WITH_MAPS, _WITH_BOUNDS = 0.1, 0.7
 _FLAT = 1e-9  # curvature of a plane by rounding, times the half-width
+_ROUNDING = 1e-9  # relative, of a figure on its limit
+
+State = Literal["met", "open", "broken"]
 
 
 class Extreme(NamedTuple):
@@ -269,3 +272,75 @@ def _edges(net: ControlNet, heights: Array) -> tuple[bool, bool]:
             jumps.append(np.diff(values, n=2, axis=0) @ basis.T)
     rounding = _FLAT * float(np.ptp(heights))
     return any((j > rounding).any() for j in jumps), any((j < -rounding).any() for j in jumps)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of a workshop; None for no limit."""
+
+    # Along z, scene units.
+    min_thickness: float | None = None
+    max_thickness: float | None = None
+    # Angle between each freeform face and a plane across the axis, degrees.
+    max_slope: float | None = None
+    min_radius: float | None = None  # radius of curvature of hollows and of humps, scene units
+    # Radius of the ball cutter that has to fit everywhere, scene units.
+    min_tool_radius: float | None = None
+
+
+class Verdict(NamedTuple):
+    """Verdict on one limit."""
+
+    name: str  # of the limited figure
+    limit: float  # scene units or degrees
+    at_least: bool  # whether it is a lower limit
+    found: Extreme  # figure of the lens
+    # "broken" if a sampled point exceeds the limit, "met" if the bound is within it, else "open".
+    state: State
+
+    def wanted(self, unit: str) -> str:
+        """The limit in words."""
+        return f"at {'least' if self.at_least else 'most'} {self.limit:g}{self.behind(unit)}"
+
+    def behind(self, unit: str) -> str:
+        """Unit of the figure, as it follows a number."""
+        return "°" if "slope" in self.name else f" {unit}"
+
+
+_Asked = tuple[str, float | None, bool, Extreme]  # name, limit, whether a lower one, figure
+
+
+def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
+    """Compare a lens with all given limits."""
+    asked: list[_Asked] = [
+        ("thickness", limits.min_thickness, True, found.thinnest),
+        ("thickness", limits.max_thickness, False, found.thickest),
+        *_of_face(found, limits, ""),
+    ]
+    if found.entrance is not None:
+        asked += _of_face(found.entrance, limits, "entrance ")
+    return [
+        Verdict(name, limit, at_least, extreme, _state(limit, at_least, extreme))
+        for name, limit, at_least, extreme in asked
+        if limit is not None
+    ]
+
+
+def _of_face(found: FaceFigures, limits: Limits, face: str) -> list[_Asked]:
+    return [
+        (f"{face}slope", limits.max_slope, False, found.steepest),
+        (f"{face}concave radius", limits.min_radius, True, found.tightest_concave),
+        (f"{face}convex radius", limits.min_radius, True, found.tightest_convex),
+        (f"{face}ball cutter", limits.min_tool_radius, True, found.tool_radius),
+    ]
+
+
+def _state(limit: float, at_least: bool, found: Extreme) -> State:
+    sign = 1 if at_least else -1
+
+    def keeps(value: float) -> bool:
+        return math.isinf(value) or sign * (value - limit) >= -_ROUNDING * abs(limit)
+
+    if not keeps(found.value):
+        return "broken"
+    return "met" if keeps(found.bound) else "open"

@@ -141,7 +141,7 @@ def add_manufacture(commands: Any) -> None:
 
 
 def _run_manufacture(options: argparse.Namespace) -> None:
-    from workbench.analysis.manufacture_limits import Limits
+    from workbench.analysis.manufacture import Limits
     from workbench.cli.manufacture import manufacture
 
     limits = Limits(

@@ -10,12 +10,14 @@ from typing import Any, NamedTuple
 from workbench.analysis.manufacture import (
     Extreme,
     FaceFigures,
+    Limits,
     Manufacture,
     SurfaceMaps,
+    Verdict,
     surface_maps,
+    verdicts,
 )
 from workbench.analysis.manufacture import manufacture as compute_figures
-from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 from workbench.arrays import Array
 from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed

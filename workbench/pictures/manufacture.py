@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
 
-    from workbench.analysis.manufacture import SurfaceMaps
-    from workbench.analysis.manufacture_limits import Limits
+    from workbench.analysis.manufacture import Limits, SurfaceMaps
 
 _FONT = 9
 _DPI = 150

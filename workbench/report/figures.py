@@ -5,8 +5,7 @@ import math
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cross_check import CrossCheck
 from workbench.analysis.light_limit import light_limits
-from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
-from workbench.analysis.manufacture_limits import Limits, verdicts
+from workbench.analysis.manufacture import Extreme, FaceFigures, Limits, Manufacture, verdicts
 from workbench.analysis.scatter import IndependentError
 from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
