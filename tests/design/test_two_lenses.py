@@ -9,6 +9,7 @@ import torch
 from workbench.analysis.validation import validate
 from workbench.design.design_run import DesignRun
 from workbench.design.limits import HeightLimits
+from workbench.design.live import LiveDesign
 from workbench.design.session import Session
 from workbench.design.transport.shared import shared_start
 from workbench.errors import Refused
@@ -16,6 +17,7 @@ from workbench.files.session import read_session, write_session
 from workbench.geometry.surface import ControlNet, nets_of
 from workbench.optics.plan import Plan
 from workbench.scene import Scene
+from workbench.scene.paths import with_values
 
 FACES = [{"shape": "plane"}, {"shape": "bspline", "control_points": [24, 20]}]
 LENS = {"kind": "lens", "material": {"index": 1.49}, "thickness": 4, "min_thickness": 1}
@@ -106,6 +108,17 @@ def test_a_session_keeps_both_faces_in_the_coordinates_of_their_elements(designe
     assert again.heights == designed.heights
     with zipfile.ZipFile(path) as archive, archive.open("faces/second.back.npy") as entry:
         np.testing.assert_allclose(np.load(entry) + 20, designed.heights["second.back"])
+
+
+def test_both_faces_follow_a_lens_that_is_moved(designed):
+    moved = with_values(designed.scene, {"elements[1].position": [0, 0, 26]})
+    edited = designed.with_scene(moved, designed.target)
+    lenses = LiveDesign().snapshots(edited, before=designed)
+    present, first = next(lenses).state, next(lenses).state
+    lenses.close()
+    assert present.heights == edited.heights
+    assert set(first.heights) == {"first.back", "second.back"}
+    assert first.loss < 0.6 * present.loss
 
 
 @pytest.mark.parametrize("cells", [None, (24, 24)])

@@ -29,7 +29,7 @@ from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.chart import PER_CONTROL_POINT, chart_of
 from workbench.design.transport.faces import FaceLight, Faces, SlopeFit
 from workbench.design.transport.view import ReceiverView
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.optics.account import UnbalancedAccount
 from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
@@ -181,7 +181,7 @@ def _alike(before: Scene, scene: Scene) -> bool:
     return (
         first.called == second.called
         and first.net_shape == second.net_shape
-        and list(freeform_nets(first)) == list(freeform_nets(second)) == [second.designed_face]
+        and list(nets_of(before)) == list(nets_of(scene)) == [second.designed_face]
         and type(before.receiver) is type(scene.receiver)
         and before.unit == scene.unit
         and len(before.images) == len(scene.images) == 1
