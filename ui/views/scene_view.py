@@ -3,14 +3,15 @@
 1. The plotter is created when the view is first shown: VTK takes a second to load.
 2. `auto_update` would render five times a second; `SetMultiSamples(0)` makes a repaint in software
    OpenGL cost 60 ms instead of 200. A repaint of the widget renders; `render` would do so twice.
-3. The camera moves by itself only when lens, screen or source change position (not during a drag of
-   the source), or on resizing before its first use.
+3. The camera moves by itself only when an object moves and nobody has placed the camera, when
+   objects move far (not during a drag), or on resizing before its first use.
 4. A plotter that is not closed before its widget is destroyed crashes later: `close_plotter` must
    be called from the window's closeEvent.
 5. The view is a native window. Otherwise OpenGL composes the whole window: 13 ms for each paint.
 6. The plotter gets the events that no tool uses. Tools request drawing by `_ask`.
 """
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from workbench.scene import Element, Scene, Source
 
 _NOTCH = 1.2  # times as large, by a notch of the wheel
+_FAR = 0.25  # in parts of what all objects span
 
 
 class SceneView(View):
@@ -285,11 +287,12 @@ class SceneView(View):
             self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
-        space = self._space(session.scene)
-        moved = self._held is None or not np.array_equal(self._held, space)
-        self._held = space
+        space, former = self._space(session.scene), self._contents.picture
+        least = 0.0 if former is None or former.fitted else _FAR
+        moved = self._held is None or _moved(self._held, space) > least
         picture = self._contents.begin(self._plotter, session, self._options, dark=self.is_dark())
         if moved:
+            self._held = space
             picture.fit()
 
     def _space(self, scene: "Scene") -> Array:
@@ -300,3 +303,10 @@ class SceneView(View):
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())
+
+
+def _moved(before: Array, after: Array) -> float:
+    """How far corners (n, 3) of the objects moved, in parts of what they span."""
+    if before.shape != after.shape:
+        return math.inf
+    return float(np.abs(after - before).max() / np.ptp(before))

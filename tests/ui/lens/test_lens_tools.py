@@ -197,6 +197,10 @@ def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     # At rest the new design is shown; the camera has not moved.
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
     qtbot.waitUntil(lambda: view._shown is document.session)
+    document.undo_stack.undo()
+    qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
+    document.undo_stack.redo()
+    qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
     assert view._plotter.camera_position == camera
     # Along the axis, until the lens is in the way.
     ctrl = Qt.KeyboardModifier.ControlModifier
