@@ -52,9 +52,9 @@ def moved(session, z):
     return session.with_scene(scene, session.target)
 
 
-def lenses(live, session, count, goes_on=False):
+def lenses(live, session, count, chain=None):
     """The first snapshots for a session."""
-    steps = live.snapshots(session, goes_on)
+    steps = live.snapshots(session, chain)
     found = [next(steps) for _ in range(count)]
     steps.close()
     return found
@@ -82,6 +82,15 @@ def test_a_second_designed_lens_begins_anew(designed):
     edited = replace(designed, scene=scene, result=None)
     assert not list(LiveDesign(generate).snapshots(edited, before=designed))
     assert asked == [None]
+
+
+def test_only_an_edit_of_the_same_chain_goes_on_from_the_last_lens(designed):
+    live, edited = LiveDesign(refit=lambda *_: None), moved(designed, 5.01)
+    *_, made = lenses(live, edited, 3, chain="first")
+    for chain, start in (("second", designed.heights), ("first", made.state.heights)):
+        (present,) = lenses(live, edited, 1, chain)
+        assert present.state.heights == start
+        *_, made = lenses(live, edited, 3, "first")
 
 
 def test_a_large_edit_sends_the_light_anew_by_transport(designed):

@@ -76,7 +76,8 @@ class Follow(QObject):
         self._on = self._held = False
         self._text = ""
         self._changes = 0  # of the document, since what is followed was put there
-        self._chain = False  # whether the lens made last is one of the design before the next edit
+        # The same object as long as the lens made last is one of the design before the next edit.
+        self._chain: object = None
         self._wanted: Session | None = None  # whose lens is to follow
         self._design: _Design | None = None  # in the thread
         self._next: _Design | None = None
@@ -162,20 +163,20 @@ class Follow(QObject):
     def _follow(self, before: "Session", after: "Session") -> None:
         alone, self._changes = self._changes == 1, 0
         if not self.follows(after):
-            self._chain = False
+            self._chain = None
             self.rest()
         elif asks_for_another_lens(before, after):
-            self._begin(after, self._chain and alone, before=before)
+            self._begin(after, self._chain if alone else None, before=before)
         elif alone and self._wanted is not None:
             self._begin(after)  # the lens under way is wanted as before
         else:
-            self._chain = False
+            self._chain = None
             self.rest()
 
     def _begin(
         self,
         session: "Session",
-        goes_on: bool = False,
+        chain: object = None,
         *,
         before: "Session | None" = None,
         own_step: bool = False,
@@ -184,11 +185,11 @@ class Follow(QObject):
         """Design a lens once the current design has one; at once if that design is abandoned."""
         self._changes = 0
         if self._held:
-            self._wanted, self._chain = session, False
+            self._wanted, self._chain = session, None
             return
-        self._chain = True
+        self._chain = chain = chain or object()
         self._wanted, self._control.followed = session, True
-        job = RunJob(session, generate=lambda *_: self._snapshots(session, goes_on, before))
+        job = RunJob(session, generate=lambda *_: self._snapshots(session, chain, before))
         self._waiting = _Design(session, job, own_step, before is not None)
         if abandons:
             self._give_up()
@@ -223,10 +224,10 @@ class Follow(QObject):
             self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
     def _snapshots(
-        self, session: "Session", goes_on: bool, before: "Session | None"
+        self, session: "Session", chain: object, before: "Session | None"
     ) -> "Generator[Snapshot, None, str]":
         """For the thread, which alone uses the earlier lenses."""
-        return (yield from self._live.snapshots(session, goes_on, before))
+        return (yield from self._live.snapshots(session, chain, before))
 
     def _take_next(self) -> None:
         self._design, self._next = self._next, None

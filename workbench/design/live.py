@@ -62,23 +62,25 @@ class LiveDesign:
     def __init__(self, generate: Generate = run, refit: Refit = refitted) -> None:
         self._generate, self._refit = generate, refit
         self._last: Session | None = None  # with the best lens that was made here
+        self._chain: object = None  # to which it belongs
         self._by_transport: tuple[Array, float] | None = None  # a target, and the error for it
 
     def snapshots(
-        self, session: Session, goes_on: bool = False, before: Session | None = None
+        self, session: Session, chain: object = None, before: Session | None = None
     ) -> Generator[Snapshot, None, str]:
         """Design the lens of a session.
 
-        `session`: the task after the edit, with the lens as it stands, if there is one; `goes_on`:
-        begin with the best lens that was made here last, rather than with the session's; `before`:
-        the task before the edit, with the lens that it had, unless the design goes on. Yields as
-        from `workbench.design.run.run`, without stages. The first one, of iteration 0, is the lens
-        that is there in its new light; it is left out where a face that sends light where the
-        former one sent it comes first. Returns why there are no more. Raises `Refused` if the scene
-        cannot be run here; `RunFailed` if the run cannot go on.
+        `session`: the task after the edit, with the lens as it stands, if there is one; `chain`:
+        the same object for edits that follow each other: if the best lens that was made here last
+        was for one of them, the design begins with it rather than with the session's lens;
+        `before`: the task before the edit, with the lens that it had, unless there is such a lens.
+        Yields as from `workbench.design.run.run`, without stages. The first one, of iteration 0, is
+        the lens that is there in its new light; it is left out where a face that sends light where
+        the former one sent it comes first. Returns why there are no more. Raises `Refused` if the
+        scene cannot be run here; `RunFailed` if the run cannot go on.
         """
         history = History()
-        goes_on = goes_on and self._last is not None
+        goes_on = chain is not None and chain is self._chain
         start = self._near(session) if goes_on else session.heights
         steps = self._steps(session, start, self._last if goes_on else before)
         try:
@@ -86,7 +88,7 @@ class LiveDesign:
                 snapshot = next(steps)
                 history.add(snapshot)
                 if snapshot.best:
-                    self._last = replace(session, result=history.result())
+                    self._last, self._chain = replace(session, result=history.result()), chain
                 yield snapshot
         except StopIteration as end:
             ended: str = end.value
