@@ -78,6 +78,7 @@ class LoadedParts(QObject):
         self.reflection = TotalReflectionNotice(document, self.control)
         self.reflection.located.connect(views.scene.show_spots)
         self.reflection.reported.connect(self._report_reflection)
+        self.reflection.withdrawn.connect(early.messages.withdraw)
         self.follow.settled.connect(self.reflection.report)
         docked = {**views.docked, "check": self.figures, "runs": self.runs.table}
         workspace.put_views(views.scene, docked)

@@ -20,6 +20,7 @@ from workbench.scene.losses import kind_and_element
 if TYPE_CHECKING:
     from ui.document.frame import Frame
     from ui.run.control import RunControl
+    from workbench.geometry.faces import ControlHeights
     from workbench.optics.paths import TotalReflection
 
 _MORE = 0.05  # of a needed range, at each end
@@ -185,16 +186,24 @@ class TotalReflectionNotice(QObject):
     """Reports after a run where light is totally reflected."""
 
     reported = Signal(str)
+    withdrawn = Signal(str)  # as reported, of a lens that is no longer there
     located = Signal(object, object)  # ControlHeights, points (n, 3)
 
     def __init__(self, document: Document, control: "RunControl") -> None:
         super().__init__(control)
         self._document = document
+        self._text = ""
+        self._heights: ControlHeights | None = None  # of what the text is about
         self._background = Background(later("search for total reflection"), self)
         self._background.done.connect(self._show)
         self._background.failed.connect(self.reported)
         control.ended.connect(self.report)
-        document.session_changed.connect(self._background.cancel)
+        document.session_changed.connect(self._withdraw)
+
+    def _withdraw(self, session: Session) -> None:
+        self._background.cancel()
+        if session.heights != self._heights:
+            self.withdrawn.emit(self._text)
 
     def report(self) -> None:
         session = self._document.session
@@ -217,7 +226,8 @@ class TotalReflectionNotice(QObject):
             where=found.sentence(session.scene),
             cure=found.loss.cure_in(session.scene),
         )
-        self.reported.emit(tr(message))
+        self._text, self._heights = tr(message), heights
+        self.reported.emit(self._text)
 
 
 def _find(session: Session, task: Task) -> "TotalReflection | None":

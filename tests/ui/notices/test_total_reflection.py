@@ -55,3 +55,5 @@ def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
     assert "as marked in the 3D scene: thicker stock" in sentence
     ((heights, places),) = desk.spots
     assert heights == desk.document.session.heights and places[:, 0].min() > 0.1
+    with qtbot.waitSignal(desk.notice.withdrawn, check_params_cb=lambda text: text == sentence):
+        desk.document.undo_stack.undo()
