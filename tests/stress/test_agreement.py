@@ -19,8 +19,9 @@ SEED = int(os.environ.get("FREEFORM_STRESS_SEED", "1"))
 PARTS, EACH = 40, 10
 # Some that are traced fast; together of all kinds of sources, optics and receivers.
 FEW = (3, 4, 18, 43, 44, 45, 48, 57)
-# A designed mirror between lenses, and a fixed B-spline face, both in light of two colours.
-FEW_TRAINS = (6, 43)
+# A designed mirror between lenses, and a fixed B-spline face, both in light of two colours; a point
+# close to a train with a small net.
+FEW_TRAINS = (6, 43, 145)
 
 
 @pytest.mark.parametrize(

@@ -81,8 +81,9 @@ _SEVERAL = 2.0
 # What symmetry saves goes in part into cells, by this factor along each axis for each mirror: the
 # smaller the error, the more of it is that of too few cells.
 _MIRRORED = 1.3
-# Cells of each of many points, at least.
-_FEWEST_CELLS = 24
+# Cells along an axis, at least: of each of many points, and of all points together. With 24 × 48
+# cells, a point 0.06 half-widths before a train had 2.7 % more light than there is.
+_FEWEST_CELLS, _FEWEST_OF_ALL = 24, 64
 # A blur of fewer pixels is not seen.
 _UNSEEN = 0.2
 # Origins for each pixel under the blur; and how many at least and at most. A descent corrects the
@@ -143,7 +144,8 @@ def cells_of(
     finest = max(1.0, math.sqrt(math.prod(cells) * count / _MOST_BEAMS)) if count > 1 else 1.0
     cells = [number / finest for number in cells]
     # An even number makes a mirrored lens a mirrored image, of which half need be traced.
-    m_x, m_y = (min(max(2 * math.ceil(count / 2), _FEWEST_CELLS), _MOST_CELLS) for count in cells)
+    fewest = max(_FEWEST_CELLS, 2 * math.ceil(_FEWEST_OF_ALL / math.sqrt(count) / 2))
+    m_x, m_y = (min(max(2 * math.ceil(number / 2), fewest), _MOST_CELLS) for number in cells)
     return Corners(m_x, m_y, origins)
 
 
