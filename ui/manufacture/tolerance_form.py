@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -15,7 +16,7 @@ from ui.words import error_text, later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.scene import LENGTH, Measure, Scene, Unit
+from workbench.scene import LENGTH, Measure, Scene
 from workbench.scene.fields import ANGLE, Between
 from workbench.units import ratio, times
 
@@ -71,9 +72,13 @@ class ToleranceForm(QWidget):
         """Use the unit of a design, and default lengths for another lens size."""
         before, self._scene = self._scene, scene
         width = 2 * max(scene.optic.half_width)
+        former: tuple[float, ...] = () if before is None else before.optic.half_width
         if before is not None and before.unit != scene.unit:
-            before = self._convert(before, scene.unit)
-        if before is None or before.optic.half_width != scene.optic.half_width:
+            # Not the scene: a file of heights holds it to its unit.
+            factor = ratio(before.unit, scene.unit)
+            self._convert(factor)
+            former, before = tuple(times(r, factor) for r in former), None
+        if former != scene.optic.half_width:
             self._data = {
                 **{name: [0.0, _SCALE * width] if name in PAIRS else 0.0 for name in ABOUT},
                 "tilt": 0.1,
@@ -105,8 +110,7 @@ class ToleranceForm(QWidget):
             self.obstacle = error_text(refused)
         return not self.obstacle
 
-    def _convert(self, scene: Scene, unit: Unit) -> Scene:
-        factor = ratio(scene.unit, unit)
+    def _convert(self, factor: Fraction) -> None:
         for row in self._rows:
             if row.measure.power:
                 value = self._data[row.path]
@@ -115,7 +119,6 @@ class ToleranceForm(QWidget):
                     if isinstance(value, list)
                     else times(value, factor)
                 )
-        return scene.in_unit(unit)
 
     def _whole(self) -> dict[str, Any]:
         assert self._scene is not None  # there is one before anything is typed

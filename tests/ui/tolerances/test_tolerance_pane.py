@@ -76,10 +76,15 @@ def test_errors_that_trains_do_not_have_have_no_fields(pane, session):
     data = session.scene.to_data()
     plate = data["elements"][0] | {"name": "plate", "position": [0, 0, 2], "min_thickness": 0.1}
     plate |= {"faces": [{"shape": "plane"}, {"shape": "plane"}]}
+    # A file of heights holds a scene to its unit, but not the next one.
+    plate["faces"][1] = {"shape": "bspline", "fixed": True, "heights": "bowl.npy"}
     train = Scene.from_data(data | {"elements": [data["elements"][0], plate]})
     pane.show_design(replace(session, scene=train))
     assert before - fields() == {"exit_tilt", "exit_decentre", "source_tilt"}
     assert pane.form.accepted()
+    decentre = pane.form.within.decentre
+    pane.show_design(session.in_unit("m"))
+    assert pane.form.within.decentre == pytest.approx(decentre / 100)
 
 
 @pytest.mark.parametrize("back", [(Qt.Key.Key_Escape,), (Qt.Key.Key_Z, CTRL)])
