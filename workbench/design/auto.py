@@ -64,9 +64,9 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     if smoothness is not None:
         step = smoothness.judged(step, smoothness.penalty(heights))
     yield step
-    free = bounds.height_range(device)
     # Without light on the screen there is no gradient.
     goes_on = bounds.start is not None and step.state.account.on_screen > 0
+    free = bounds.height_range(device, goes_on)
     far_off = False
     if goes_on or bounds.first is None:
         start = free.nearest(before)

@@ -114,8 +114,9 @@ def _inside(heights: Array, lower: Array, upper: Array) -> Array:
 
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
-# least this part of what bends the light at the rim by half of the screen's width.
-_TIMES, _LEAST = 3.0, 0.1
+# least this part of what bends the light at the rim by half of the screen's width; the larger part
+# where a run goes on from a lens that may be far from the one that is wanted.
+_TIMES, _LEAST, _USUAL = 3.0, 0.1, 1.0
 # Heights within this part of their interval from its end are at the end; so many are no accident.
 _END, _MANY = 0.003, 0.02
 # An entrance face that fills so much of its range was flattened to fit it.
@@ -154,6 +155,7 @@ class Bounds:
         self._net = ControlNet.of(scene.optic)
         self._lens, self._face = bounded(scene), scene.optic.designed_face
         self._found: tuple[First | None] | None = None  # once it was looked for
+        self._goes_on = False  # from the start: no first design has to be within the range
         self._others = tuple(
             bounded(other) for other in scene.focused if other.optic.name != scene.optic.name
         )
@@ -256,8 +258,15 @@ class Bounds:
             for face, each in self.limits.items()
         }
 
-    def height_range(self, device: torch.device | str = "cpu") -> FreeHeights:
-        """The ranges of a run that optimises: finite, locked control points left out."""
+    def height_range(
+        self, device: torch.device | str = "cpu", goes_on: bool = False
+    ) -> FreeHeights:
+        """The ranges of a run that optimises: finite, locked control points left out.
+
+        `goes_on`: whether the run goes on from the start, so that an automatic range need not hold
+        a first design, which would take seconds.
+        """
+        self._goes_on = goes_on
         start, locked = self.start or {}, self.locked
         return FreeHeights(
             (face, HeightRange.within(limits, device, locked.get(face), start.get(face)))
@@ -267,9 +276,9 @@ class Bounds:
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for the run, once it is."""
-        if self._found is None:
+        if self._found is None and not self._goes_on:
             return ()
-        found = () if self._found[0] is None else self._found[0].notes
+        found = () if self._found is None or self._found[0] is None else self._found[0].notes
         if self._lens.height_range is not None:
             return found
         assert self._ranged.height_range is not None
@@ -302,7 +311,7 @@ class Bounds:
 
     def _at_shaped_face(self, heights: Array) -> Shortfall | None:
         looked = self._found is not None
-        if not looked and self._lens.height_range is None:
+        if not looked and not self._goes_on and self._lens.height_range is None:
             return None  # nothing has been chosen yet that heights could be at an end of
         low, high = self._ranged_limits.ends(heights, _END)
         if (locked := self.locked.get(self._face)) is not None:
@@ -363,12 +372,13 @@ class Bounds:
         if lens.height_range is not None:
             return lens
         face = lens.designed_face
-        faces = [self.limits[face].undesigned]
-        faces += [each[face] for each in (self.first, self.start) if each is not None]
+        held = (None if self._goes_on else self.first), self.start
+        faces = [self.limits[face].undesigned, *(each[face] for each in held if each is not None)]
         x, y = ControlNet.of(lens).positions
         base = lens.base.height_at(x[:, None], y[None, :])
         most = max(float(np.abs(z - base).max()) for z in faces)
-        half = max(_TIMES * most, _LEAST * _natural(self.scene))
+        least = _USUAL if self._goes_on else _LEAST
+        half = max(_TIMES * most, least * _natural(self.scene))
         return lens.ranged(-half, half)
 
     @cached_property
