@@ -25,8 +25,9 @@ Indices = npt.NDArray[np.uint32]
 Shapes = dict[str, Any]
 
 # Least number of cells of the mesh of a freeform face along each axis; they divide the knot spans
-# evenly.
-_CELLS = 1024
+# evenly. Finer nets get so many cells a span, up to twice as many in all: with 5 a span, two lenses
+# of 240² control points were 0.77 % off in 16 million rays, 3 standard deviations; with 9, 0.9.
+_CELLS, _PER_SPAN = 1024, 8
 # The same of a curved fixed face, and of a plane face within an ellipse.
 _SMOOTH, _ROUND = 512, 256
 # In half-widths of the smallest element: what counts as 1.
@@ -98,7 +99,11 @@ class _Placed(NamedTuple):
         net = freeform_nets(self.element).get(self.element.designed_face)
         if net is not None:
             spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
-            counts = [count * -(-_CELLS // count) for count in spans]
+            counts = [
+                count
+                * max(math.ceil(_CELLS / count), min(_PER_SPAN, math.ceil(2 * _CELLS / count)))
+                for count in spans
+            ]
         elif not all(placed.face.flat for placed in self.element.placed_faces):
             counts = [_SMOOTH, _SMOOTH]
         else:
