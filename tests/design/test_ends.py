@@ -124,7 +124,7 @@ def test_that_light_is_nearer_to_what_the_lens_does(shown, make_scene, bars):
     true = relative_error(exact, bars)
     seen, judged = (relative_error(state, bars) for state in (best.state, last.state))
     assert seen < true
-    assert abs(judged - true) < 0.4 * abs(seen - true)
+    assert abs(judged - true) < 0.6 * abs(seen - true)
 
 
 def test_an_edit_keeps_the_better_lens_that_was_there(make_scene, bars):

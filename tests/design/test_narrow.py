@@ -5,7 +5,7 @@ import pytest
 import torch
 
 from workbench.design.bounds import Bounds
-from workbench.design.descent import Evaluation, Waves, minimise
+from workbench.design.descent import Evaluation, FaceWaves, minimise
 from workbench.design.levels import finest_image
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
@@ -40,12 +40,12 @@ def projected(scene, target, start):
         value = error.square().sum()
         return Evaluation(value.item(), lambda: torch.autograd.grad(value, x)[0], step)
 
-    waves = Waves(begin.shape, 1.25, (False, False))
+    waves = FaceWaves({"lens.back": begin}, 1.25, (False, False))
     errors = []
     for _, found in minimise(
         evaluate,
         begin.flatten(),
-        lambda gradient: waves.eased(gradient.view(begin.shape)).flatten(),
+        waves,
         tuple(ends),
     ):
         errors.append(relative_error(found.seen.state, target))

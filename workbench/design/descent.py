@@ -17,14 +17,14 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 import torch
 from scipy.fft import dctn, idctn
 from torch import Tensor
 
-from workbench.arrays import Array
+from workbench.arrays import AnyArray, Array
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.snapshot import FLAT, LOWEST, SLOW, SMALL
@@ -36,6 +36,8 @@ from workbench.optics.kernels import threads
 # A blur damps waves of which it is wider than this part of a period: a disc leaves 2 J₁(πf) / (πf)
 # of a wave, which falls as 2 √(2/π) (πf)^-1.5 from here on.
 _DAMPED = 0.435
+# Waves of a net of more control points are computed in float32, in half of the time.
+_MANY = 256**2
 # Steps whose curvature L-BFGS remembers: as many as fit into this memory, but not fewer or more.
 # *LED close by* ends at 4.8 % after 118 steps with 20 of them, at 3.2 % after 199 steps with 150.
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
@@ -94,38 +96,43 @@ class Waves:
         longest: float = 1.0,
         eases: Array | None = None,
     ) -> None:
-        self.shape, self._eases = tuple(shape), eases
+        self.shape = tuple(shape)
         self._workers = threads.workers(math.prod(shape))
         (along_u, along_v), (b_u, b_v) = (np.arange(count) / 2 for count in shape), blur_widths
         periods = 1 + along_u[:, None] ** 2 + along_v**2
         damped = 1 + ((b_u * along_u[:, None]) ** 2 + (b_v * along_v) ** 2) / _DAMPED**2
-        self._squares = (periods / damped) ** -power  # of sizes
+        squares = (periods / damped) ** -power  # of sizes
         for axis, count in enumerate(shape):
-            np.moveaxis(self._squares, axis, 0)[math.ceil(longest * count) :] = 0.0
+            np.moveaxis(squares, axis, 0)[math.ceil(longest * count) :] = 0.0
         self._mirrored_axes = [axis for axis in (0, 1) if mirrored[axis]]
         if mirrored[0]:
-            self._squares[1::2] = 0.0
+            squares[1::2] = 0.0
         if mirrored[1]:
-            self._squares[:, 1::2] = 0.0
-        self._sizes = np.sqrt(self._squares)
+            squares[:, 1::2] = 0.0
+        # Amplitudes only say where a descent looks next.
+        self._kind = np.float32 if squares.size > _MANY else np.float64
+        self._sizes = np.sqrt(squares).astype(self._kind)
+        self._roots = None if eases is None else np.sqrt(eases).astype(self._kind)
 
-    def eased(self, gradient: Tensor) -> Tensor:
-        """What a descent along the amplitudes of waves changes the net by.
+    def amplitudes(self, gradient: Tensor) -> Tensor:
+        """Gradient with respect to the amplitudes of all waves, of that to the net (n_u, n_v)."""
+        values = dctn(self._copied(gradient), norm="ortho", workers=self._workers)
+        values *= self._sizes
+        if self._roots is not None:
+            values = idctn(values, norm="ortho", workers=self._workers, overwrite_x=True)
+            values *= self._roots
+        return torch.as_tensor(values)
 
-        `gradient` (n_u, n_v): gradient with respect to the net.
-        """
-        values = gradient.cpu().numpy()
-        if self._eases is None:
-            values = self._filtered(values, self._squares)
-        else:
-            values = self._filtered(values, self._sizes) * self._eases
-            values = self._filtered(values, self._sizes)
-        return torch.as_tensor(values).to(gradient)
+    def change(self, amplitudes: Tensor) -> Tensor:
+        """The change of the net that waves make, of their amplitudes; both of shape (n_u, n_v)."""
+        values = self._copied(amplitudes)
+        if self._roots is not None:
+            values = dctn(values * self._roots, norm="ortho", workers=self._workers)
+        values = idctn(values * self._sizes, norm="ortho", workers=self._workers, overwrite_x=True)
+        return self.even(torch.as_tensor(values).to(amplitudes))
 
-    def _filtered(self, values: Array, factors: Array) -> Array:
-        amplitudes = dctn(values, norm="ortho", workers=self._workers)
-        amplitudes *= factors
-        return np.asarray(idctn(amplitudes, norm="ortho", workers=self._workers, overwrite_x=True))
+    def _copied(self, values: Tensor) -> AnyArray:
+        return values.detach().cpu().numpy().astype(self._kind)
 
     def even(self, net: Tensor) -> Tensor:
         """The part of a net (n_u, n_v) that is a mirror image of itself, where waves have to be."""
@@ -166,10 +173,15 @@ class FaceWaves:
         views = (part.view(shape) for part, shape in zip(parts, shapes, strict=True))
         return dict(zip(self._waves, views, strict=True))
 
-    def eased(self, gradient: Tensor) -> Tensor:
+    def amplitudes(self, gradient: Tensor) -> Tensor:
         """See `Waves`; shape (points,) for all faces."""
         nets = self.nets(gradient)
-        return self.values({face: each.eased(nets[face]) for face, each in self._waves.items()})
+        return self.values({face: w.amplitudes(nets[face]) for face, w in self._waves.items()})
+
+    def change(self, amplitudes: Tensor) -> Tensor:
+        """See `Waves`; shape (points,) for all faces."""
+        nets = self.nets(amplitudes)
+        return self.values({face: w.change(nets[face]) for face, w in self._waves.items()})
 
     def even(self, values: Tensor) -> Tensor:
         """See `Waves`; shape (points,) for all faces."""
@@ -177,6 +189,25 @@ class FaceWaves:
         return self.values({face: each.even(nets[face]) for face, each in self._waves.items()})
 
 
+class Coordinates(Protocol):
+    """Coordinates a in which x = W a, and steps of one length are equally easy."""
+
+    def amplitudes(self, gradient: Tensor) -> Tensor:
+        """Wᵀ g of a gradient g with respect to x, shape (n,): that with respect to a."""
+
+    def change(self, amplitudes: Tensor) -> Tensor:
+        """W a, shape (n,)."""
+
+
+class _Plain:
+    def amplitudes(self, gradient: Tensor) -> Tensor:
+        return gradient
+
+    def change(self, amplitudes: Tensor) -> Tensor:
+        return amplitudes
+
+
+_PLAIN = _Plain()
 Seen = TypeVar("Seen", covariant=True)
 
 
@@ -215,26 +246,25 @@ def remembered(count: int) -> int:
 def minimise(
     objective: Objective[Seen],
     x: Tensor,
-    eased: Callable[[Tensor], Tensor] = lambda gradient: gradient,
+    coordinates: Coordinates = _PLAIN,
     ends: tuple[Tensor, Tensor] | None = None,
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     `objective`: takes a point, shape (n,), and returns an `Evaluation` with a value that is not
-    negative; `x` (n,): where to begin; `eased`: takes a gradient, and gives the direction in which
-    the objective falls most steeply by the measure in which steps are equally easy: linear,
-    symmetric and positive. By default the gradient itself. `ends` (n,): least and largest value of
-    each coordinate; by default there are none. Yields the beginning, then each accepted point.
+    negative; `x` (n,): where to begin; `coordinates`: in which a step is measured; by default x
+    itself. `ends` (n,): least and largest value of each number; by default there are none. Yields
+    the beginning, then each accepted point.
 
     Notes
     -----
     Two-loop recursion with backtracking (Nocedal & Wright, Numerical Optimization, 2006,
     algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
-    would reach 0 if the objective fell on at this rate: no length to be set by hand. With ``eased``
-    the steps are those of a descent in other coordinates, without going there and back: of
-    amplitudes a of a change W a, if it is W Wᵀ. Coordinates at an end to which the objective falls
-    are held there for a step; the others are followed along the path that is projected into the
-    ends (Bertsekas, Projected Newton methods, 1982).
+    would reach 0 if the objective fell on at this rate: no length to be set by hand. With W Wᵀ as
+    the first inverse of the Hessian the steps are those of a descent in other coordinates, without
+    going there and back. Numbers at an end to which the objective falls are held there for a step;
+    the others are followed along the path that is projected into the ends (Bertsekas, Projected
+    Newton methods, 1982).
     """
     low, high = ends or (torch.full_like(x, -math.inf), torch.full_like(x, math.inf))
     pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
@@ -242,7 +272,7 @@ def minimise(
     here = objective(x)
     yield x, here
     while True:
-        direction = _direction(pairs, here, eased, _free(x, here.gradient, low, high))
+        direction = _direction(pairs, here, coordinates, _free(x, here.gradient, low, high))
         if not torch.dot(here.gradient, direction).item() < 0:
             return
         step = 1.0
@@ -278,26 +308,27 @@ def _free(x: Tensor, gradient: Tensor, low: Tensor, high: Tensor) -> Tensor | No
 
 
 def _direction(
-    pairs: Sequence[_Pair],
-    here: Evaluation[Seen],
-    eased: Callable[[Tensor], Tensor],
-    free: Tensor | None,
+    pairs: Sequence[_Pair], here: Evaluation[Seen], coordinates: Coordinates, free: Tensor | None
 ) -> Tensor:
     """Minus the inverse of the Hessian as the pairs know it, times the gradient.
 
-    Both of the ``free`` coordinates alone.
+    Both of the ``free`` numbers alone.
     """
 
-    def eased_free(gradient: Tensor) -> Tensor:
-        return eased(gradient) if free is None else free * eased(free * gradient)
+    def amplitudes(gradient: Tensor) -> Tensor:
+        return coordinates.amplitudes(gradient if free is None else free * gradient)
+
+    def change(amplitudes: Tensor) -> Tensor:
+        changed = coordinates.change(amplitudes).to(here.gradient)
+        return changed if free is None else free * changed
 
     gradient = here.gradient
     if free is not None:
         pairs, gradient = list(_among(pairs, free)), free * gradient
     if not pairs:
-        steepest = eased_free(gradient)
-        square = torch.dot(gradient, steepest).clamp_min(1e-300)
-        return steepest * (-here.value / square)
+        steepest = amplitudes(gradient)
+        square = steepest.square().sum().clamp_min(1e-300)
+        return change(steepest) * (-here.value / square)
     q = -gradient
     factors = []
     for moved, turned, product in reversed(pairs):
@@ -305,7 +336,7 @@ def _direction(
         factors.append(factor)
         q.sub_(turned, alpha=factor)
     _, turned, product = pairs[-1]
-    q = eased_free(q) * (product / torch.dot(turned, eased_free(turned)))
+    q = change(amplitudes(q)).mul_(product / amplitudes(turned).square().sum().item())
     for (moved, turned, product), factor in zip(pairs, reversed(factors), strict=True):
         q.add_(moved, alpha=factor - torch.dot(turned, q).item() / product)
     return q
@@ -366,7 +397,7 @@ def descend(
         return replace(found, differentiate=lambda: waves.even(found.differentiate()))
 
     for number, descent in enumerate(descents):
-        found = minimise(objective, x, every[number].eased, within)
+        found = minimise(objective, x, every[number], within)
         if number:
             next(found)  # has been shown
         errors: list[float] = []

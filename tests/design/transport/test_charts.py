@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.transport.chart import chart_of
+from workbench.design.transport.chart import rough_lens
 from workbench.design.transport.one_face import first_error, transport_start, wanted_cells
 from workbench.geometry.surface import ControlNet
 
@@ -20,10 +20,10 @@ BESIDE = {
 }
 
 
-def _chart(scene, target):
+def _rough(scene, target):
     net = ControlNet.of(scene.optic)
     wanted, _ = wanted_cells(scene, target, CELLS)
-    return chart_of(scene, net, wanted, 1)
+    return rough_lens(scene, net, wanted, 1)
 
 
 @pytest.fixture
@@ -35,10 +35,10 @@ def disc():
 
 def test_a_screen_beside_a_mirror_needs_one_and_its_first_lens_is_good(make_scene, disc):
     scene = make_scene(MIRROR | BESIDE | {"screen.pixels": [64, 64]})
-    charted = _chart(scene, disc)
-    assert charted is not None
-    assert charted.chart.x.shape == (CELLS, CELLS)
-    rough = first_error(scene, disc, {"mirror.face": charted.heights})
+    found = _rough(scene, disc)
+    assert found.chart is not None
+    assert found.chart.finer(1).x.shape == (CELLS, CELLS)
+    rough = first_error(scene, disc, {"mirror.face": found.heights})
     heights = transport_start(scene, disc)
     assert heights is not None
     assert first_error(scene, disc, {"mirror.face": heights}) < min(0.08, rough)

@@ -89,16 +89,31 @@ def test_places_are_found_where_values_are_as_wanted(own, rng):
     assert [between(each, at) for each in to] == pytest.approx(wanted, abs=2e-3)
 
 
+WEIGHTS = pytest.mark.parametrize("weights", [(1.0, 1.0), (0.25, 4.0)])
+
+
 @pytest.mark.parametrize("shape", [(7, 12), (2, 9), (16, 16)])
-@pytest.mark.parametrize("weights", [(1.0, 1.0), (0.25, 4.0)])
-def test_envelope_is_the_least_of_all_parabolas(rng, shape, weights):
+@WEIGHTS
+def test_envelope_is_hardly_below_the_least_of_all_parabolas(rng, shape, weights):
     potential = 5 * rng.normal(size=shape)
     a, b = (np.arange(m, dtype=float) for m in shape)
     cost_0 = 0.5 * weights[0] * (a[:, None] - a) ** 2
     cost_1 = 0.5 * weights[1] * (b[:, None] - b) ** 2
     everything = cost_0[:, None, :, None] + cost_1[None, :, None, :] - potential
-    expected = everything.min(axis=(2, 3))
-    assert c_transform(potential, *weights) == pytest.approx(expected, abs=1e-12)
+    below = everything.min(axis=(2, 3)) - c_transform(potential, *weights)
+    assert below.min() > -1e-12
+    assert below.max() < sum(weights)
+
+
+@WEIGHTS
+def test_envelope_of_a_smooth_potential_is_exact_between_places(weights):
+    a, b = (np.arange(m, dtype=float) for m in (41, 50))
+    bends, (mid_0, mid_1) = (0.4, 1.3), (20.3, 24.8)
+    well = 0.5 * bends[0] * (a[:, None] - mid_0) ** 2 + 0.5 * bends[1] * (b - mid_1) ** 2
+    # min over x of ½ w (x − y)² + ½ q (x − m)² is ½ w q / (w + q) (y − m)².
+    q_0, q_1 = (w * q / (w + q) for w, q in zip(weights, bends, strict=True))
+    expected = 0.5 * q_0 * (a[:, None] - mid_0) ** 2 + 0.5 * q_1 * (b - mid_1) ** 2
+    assert c_transform(-well, *weights) == pytest.approx(expected, abs=1e-9)
 
 
 @pytest.mark.parametrize(("fewest", "wave"), [(1, 0.01), (6, 0.005)])

@@ -6,7 +6,9 @@ the turns a c-transform makes the one potential the best for the other.
 
 The c-transform φᶜ(y) = min_x ½ w₀ (x₀ − y₀)² + ½ w₁ (x₁ − y₁)² − φ(x), over the places of a grid
 with spacing 1, splits into lower envelopes of parabolas along the lines of each axis (Felzenszwalb
-and Huttenlocher 2012, Distance transforms of sampled functions).
+and Huttenlocher 2012, Distance transforms of sampled functions). Between places of the grid φ is
+taken as a parabola through three of them, so that coarse grids bring images nearer than their
+cells: a portrait is 0.30 cells off after 16 rounds on 624² cells without this, 0.18 cells after 5.
 """
 
 import math
@@ -42,7 +44,9 @@ class Transport:
     It is found on a coarse grid first; each finer one takes its potential and step lengths over.
 
     `source`, `target` (m_0, m_1): mass of the cells of equal grids with spacing 1; each sums to 1;
-    `weights`: w along the two axes; `rounds`: at most so many on the grid itself; see `improve`.
+    `weights`: w along the two axes; `rounds`: at most so many on the grid itself; see `improve`;
+    `coarse`: transport of about the same on a grid whose cells are 2, 4, 8 … times as large, to
+    begin with; by default it is found on the coarsest one.
     """
 
     def __init__(
@@ -51,23 +55,31 @@ class Transport:
         target: Array,
         weights: tuple[float, float],
         rounds: int = MOST_ROUNDS,
+        coarse: "Transport | None" = None,
     ) -> None:
         self._target, self._weights = target, weights
         self._waves = _laplacian(source.shape, weights)
         # Each potential has a step of its own: that of a dim wide image may be a thousand times
         # that of a few bright pixels.
-        if all(m % 2 == 0 and m >= 2 * _COARSEST for m in source.shape):
+        coarsest = _COARSEST if coarse is None else coarse.cells
+        if all(m % 2 == 0 and m >= 2 * coarsest for m in source.shape):
             self._progress = _FINE_PROGRESS
-            coarse = Transport(halved(source), halved(target), weights)
+            if coarse is None or min(source.shape) > 2 * coarse.cells:
+                coarse = Transport(halved(source), halved(target), weights, coarse=coarse)
             # The potential whose map goes to the target, in cells squared. A finer one has four
-            # times the numbers; steps a bit more, to smooth it soon.
+            # times the numbers, and steps as many times the length.
             self._there: Array = 4 * doubled(coarse._there)
-            self._steps: tuple[float, float] = 6 * coarse._steps[0], 6 * coarse._steps[1]
+            self._steps: tuple[float, float] = 4 * coarse._steps[0], 4 * coarse._steps[1]
         else:
             self._progress = _COARSE_PROGRESS
             self._there = np.zeros_like(source)
             self._steps = (4 / max(source.max(), target.max()),) * 2
         self.improve(source, rounds)
+
+    @property
+    def cells(self) -> int:
+        """Cells of the grid along an axis, the one with the fewest."""
+        return min(self._there.shape)
 
     def improve(self, source: Array, rounds: int = MOST_ROUNDS) -> None:
         """Go on for a source that has changed a little, for so many rounds or fewer."""
@@ -116,11 +128,13 @@ class Transport:
         mine = mine + step * direction
         other = c_transform(mine, *self._weights)
         gain = _product(mine, here) + _product(other, there) - value
-        # Armijo-Goldstein, as in the paper's section 3.3.
-        if gain > 0.75 * step * slope:
+        # Armijo-Goldstein, as in the paper's section 3.3; a gain above what the slope promises is
+        # the error of curves between places.
+        gained = gain / (step * slope) if slope > 0 else 1.0
+        if 0.75 < gained < 1.0:
             step *= 1.4
-        elif gain < 0.25 * step * slope:
-            step *= 0.7
+        elif gained < 0.25:
+            step *= 0.5 if gained < 0.0 else 0.7
         mine = c_transform(other, *self._weights)
         value = _product(mine, here) + _product(other, there)
         return mine, other, value, step, math.sqrt(max(slope, 0.0))
@@ -216,7 +230,14 @@ def _envelope(values, weight, per_distance, vertex, border, envelope) -> Any:  #
         while border[lowest + 1] < k:
             lowest += 1
         j = vertex[lowest]
-        envelope[k] = 0.5 * weight * (k - j) ** 2 + values[j]
+        here = 0.5 * weight * (k - j) ** 2 + values[j]
+        envelope[k] = here
+        if 0 < j < count - 1:
+            before = 0.5 * weight * (k - j + 1) ** 2 + values[j - 1]
+            after = 0.5 * weight * (k - j - 1) ** 2 + values[j + 1]
+            bend = before - 2 * here + after
+            if bend > 0.0:
+                envelope[k] = here - min((after - before) ** 2 / (8 * bend), weight)
 
 
 def mapped(potential: Array, weight_0: float, weight_1: float) -> tuple[Array, Array]:

@@ -11,16 +11,16 @@ that has no curl at all. The first design for a photograph on the wall of *Wall 
 
 How light misses its places changes slowly from one cell to the next, so lenses of few cells find
 the chart. One of 216 cells along each axis, made of three transports and fits, takes 0.1 to 0.2 s
-of the processor, and the first design of 864 cells needs no other one. It begins with the lens of
-these few cells.
+of the processor. The first design of 864 cells goes on from that lens and its transport.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple, Self
 
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.transport.back_and_forth import Transport, doubled, halved, push
+from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport, doubled, halved, push
 from workbench.design.transport.cells import Pair, between, whence
 from workbench.design.transport.faces import Faces, SlopesFor
 from workbench.design.transport.view import ReceiverView
@@ -68,9 +68,16 @@ class Chart(NamedTuple):
         )
         return cls(view, x, y, view.weights((float(half[0]), float(half[1]))))
 
-    def transport(self, flux: Array, wanted: Array) -> Transport:
+    def transport(
+        self,
+        flux: Array,
+        wanted: Array,
+        rounds: int = MOST_ROUNDS,
+        coarse: Transport | None = None,
+    ) -> Transport:
         """Transport of the lens's flux to the light of each cell, where the chart has it."""
-        return Transport(flux, push(wanted, self.x, self.y, _PARTS), self.weights)
+        wanted = push(wanted, self.x, self.y, _PARTS)
+        return Transport(flux, wanted, self.weights, rounds, coarse)
 
     def places(self, transport: Transport) -> Pair:
         """Where on the receiver a transport brings light, in the receiver's coordinates."""
@@ -127,23 +134,42 @@ def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins
     return along_x, along_y
 
 
-class Charted(NamedTuple):
-    """A chart and a lens found in it."""
+class Rough(NamedTuple):
+    """A lens of few cells."""
 
-    chart: Chart  # with as many cells as light is wanted in
-    heights: Array  # (n_u, n_v), control heights of the lens, which few cells have found
+    chart: Chart | None  # None where the view does as well
+    transport: Transport  # in the chart, or in the view
+    heights: Array  # (n_u, n_v), control heights
+    flux: Array  # of its exit face, in each cell; all together 1
+
+    def transported(
+        self, view: ReceiverView, flux: Array, wanted: Array, rounds: int
+    ) -> tuple[Transport, Callable[[], Pair]]:
+        """Transport of more cells that begins with that of few.
+
+        `flux` (cells, cells): that leaves the exit face; `wanted` (cells, cells): light in each
+        cell of the view; all together 1; `rounds`: at most so many, in the view. Returns it, and
+        what says where on the receiver it brings light, in the receiver's coordinates.
+        """
+        if self.chart is None:
+            weights = view.weights(view.half_extent)
+            found = Transport(flux, wanted, weights, rounds, self.transport)
+            return found, lambda: view.places(found)
+        chart = self.chart.finer((len(wanted) // len(self.flux)).bit_length() - 1)
+        charted = chart.transport(flux, wanted, rounds, self.transport)
+        return charted, lambda: chart.places(charted)
 
 
-def chart_of(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Charted | None:
-    """A chart in which light misses its places least; None where the view does as well.
+def rough_lens(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Rough | None:
+    """A lens of few cells, in a chart in which light misses its places least.
 
     `scene`: the design task; an extended source counts as a point at its centre; `net`: of the
     face; `wanted` (cells, cells): the light that is wanted in each cell of the view, which are
-    those of the chart; all together 1; `fits`: fits to each transport.
+    those of the chart; all together 1; `fits`: fits to each transport. None if no light leaves the
+    lens even where its faces are parallel.
     """
-    halvings = 0
     while len(wanted) % 2 == 0 and len(wanted) >= 2 * _FEWEST:
-        wanted, halvings = halved(wanted), halvings + 1
+        wanted = halved(wanted)
     most = int(len(wanted) / PER_CONTROL_POINT)
     m_x, m_y = (min(points, most) for points in net.shape)
     coarse = ControlNet((m_x, m_y), net.degree, net.half_width)
@@ -152,15 +178,10 @@ def chart_of(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Charted
     if begin is None:
         return None
     found = _straightest(faces, wanted, *begin, fits)
-    if found is None:
-        return None
-    chart, heights = found
-    return Charted(chart.finer(halvings), coarse.carry(heights, net))
+    return found._replace(heights=coarse.carry(found.heights, net))
 
 
-def _straightest(
-    faces: Faces, wanted: Array, heights: Array, flux: Array, fits: int
-) -> Charted | None:
+def _straightest(faces: Faces, wanted: Array, heights: Array, flux: Array, fits: int) -> Rough:
     view, light = faces.view, faces.light
     transport = Transport(flux, wanted, view.weights(view.half_extent))
     for again in (False, True):
@@ -169,9 +190,10 @@ def _straightest(
             transport.improve(flux)
         to = view.places(transport)
         heights = faces.fitted(to, heights, fits)
-    best, least, begins = None, faces.missed(to, heights), transport.back()
+    best, begins = Rough(None, transport, heights, flux), transport.back()
+    least = faces.missed(to, heights)
     if least < _STRAIGHT:
-        return None
+        return best
     for _ in range(_CHARTS):
         chart = Chart.of(view, wanted, faces.slopes_for(heights), begins)
         transport = chart.transport(light.flux_or(heights, flux), wanted)
@@ -179,7 +201,7 @@ def _straightest(
         heights = faces.fitted(to, heights, fits)
         before, missed = least, faces.missed(to, heights)
         if missed < least:
-            best, least = Charted(chart, heights), missed
+            best, least = Rough(chart, transport, heights, flux), missed
         if least < _NEAR or missed > _LESS * before:
             break
     return best

@@ -41,7 +41,7 @@ _LINES = Message("both faces along lines through all images")
 _HOLLOW = Message("the exit face behind a hollow entrance face")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
-_ONE_FACE = 1.8
+_ONE_FACE = 2.0
 _TWO_FACES = _BOTH, _LINES, _HOLLOW
 # Where in its range an entrance face begins that is flat: in the middle, but near to a source that
 # is nearer than half the lens's width, so that more of its light meets the lens.
