@@ -111,8 +111,10 @@ class Waves:
             squares[:, 1::2] = 0.0
         # Amplitudes only say where a descent looks next.
         self._kind = np.float32 if squares.size > _MANY else np.float64
-        self._sizes = np.sqrt(squares).astype(self._kind)
-        self._roots = None if eases is None else np.sqrt(eases).astype(self._kind)
+        self._sizes: AnyArray = np.sqrt(squares).astype(self._kind)
+        self._roots: AnyArray | None = None
+        if eases is not None:
+            self._roots = np.sqrt(eases).astype(self._kind)
 
     def amplitudes(self, gradient: Tensor) -> Tensor:
         """Gradient with respect to the amplitudes of all waves, of that to the net (n_u, n_v)."""

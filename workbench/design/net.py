@@ -40,7 +40,7 @@ _LEFT_OUT, _PER_PERIOD = 2e-3, 16.0
 # a dark uniform is 2.2 % off on 480 x 480 control points and 1.6 % on 624 x 624; of 21 pictures of
 # 256 x 256 pixels, errors on as many control points grow with it, and fall with the power -1.25 of
 # control points along an axis.
-_DARKEST, _PER_EDGE, _POWER = 0.1, 4.5, 0.8
+_DARKEST, _PER_EDGE, _POWER = 0.1, 5.5, 0.8
 # More pixels along an axis are averaged before: a photograph of 512 x 512 pixels has less of second
 # differences than one of 256 x 256, and is as far off on as many control points for each pixel.
 _SEEN = 256

@@ -79,7 +79,7 @@ class Transport:
     @property
     def cells(self) -> int:
         """Cells of the grid along an axis, the one with the fewest."""
-        return min(self._there.shape)
+        return int(min(self._there.shape))
 
     def improve(self, source: Array, rounds: int = MOST_ROUNDS) -> None:
         """Go on for a source that has changed a little, for so many rounds or fewer."""
