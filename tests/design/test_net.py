@@ -46,7 +46,7 @@ def chosen(make_scene, rng):
         scene = make_scene(
             {"lens.control_points": "auto", "screen.pixels": [200, 120], **(changes or {})}
         )
-        sharp = 3 + rng.random((120, 200))
+        sharp = 5 + rng.random((120, 200))
         return definite(scene, sharp if target is None else target).optic.net_shape
 
     return choose
@@ -69,7 +69,7 @@ def test_sharper_edges_and_darker_places_get_more_control_points(chosen):
 
 
 def _session(make_scene, rng, **fields):
-    return Session(make_scene({"lens.control_points": "auto"}), 3 + rng.random((32, 32)), **fields)
+    return Session(make_scene({"lens.control_points": "auto"}), 5 + rng.random((32, 32)), **fields)
 
 
 def test_a_session_has_a_net_and_keeps_that_it_was_left_to_the_program(make_scene, rng):
@@ -82,6 +82,6 @@ def test_more_pixels_get_a_finer_net_and_the_lens_is_carried(make_scene, rng):
     lens = FaceArrays({"lens.back": np.full((48, 48), 0.45)})
     session = _session(make_scene, rng, start=lens)
     finer = make_scene({"lens.control_points": "auto", "screen.pixels": [64, 64]})
-    after = session.with_scene(finer, 3 + rng.random((64, 64)))
+    after = session.with_scene(finer, 5 + rng.random((64, 64)))
     assert after.scene.optic.net_shape == after.start["lens.back"].shape == (120, 120)
     np.testing.assert_allclose(after.start["lens.back"], 0.45, atol=1e-9)
