@@ -17,9 +17,10 @@ The compiled twins are `workbench.optics.kernels.beam_image` and `box_image` bes
 
 import torch
 from torch import Tensor
+from torch.nn.functional import pad
 
 from workbench.optics import ready
-from workbench.optics.kernels.beam_cells import SLIVER
+from workbench.optics.kernels.beam_edge import SLIVER
 from workbench.optics.kernels.beam_image import compiled_beam_image
 from workbench.optics.kernels.beam_raster import ROUNDING
 from workbench.optics.kernels.box_image import compiled_box_image
@@ -46,15 +47,9 @@ def reference_beam_image(
         hit = (x + y).isfinite().all(1) & ~narrow
         x, y, half = x[hit], y[hit], half[hit]
         landed += half.sum().item()
-        sides = torch.stack([x[:, 1:] - x[:, :1], y[:, 1:] - y[:, :1]])
-        (x_1, x_2), (y_1, y_2) = (side.unbind(1) for side in sides)
-        area = 0.5 * (x_1 * y_2 - x_2 * y_1)
-        wide = area.abs() > SLIVER * sides.abs().amax((0, 2)).clamp_min(1)
-        densities.append(half[wide] / area[wide])
-        edges.append(torch.stack([x[wide], y[wide]]))
-        j, i = (hits[~wide].mean(1).detach().floor() for hits in (x, y))
-        seen = (j >= 0) & (j < n_x) & (i >= 0) & (i < n_y)
-        image = image.index_add(0, (i * n_x + j)[seen].long(), half[~wide][seen])
+        triangles, half = _without_slivers(torch.stack([x, y]), half)
+        densities.append(half / _area(triangles))
+        edges.append(triangles)
     x, y = torch.cat(edges, 1)
     image = image.view(n_y, n_x) + drawn(x, y, torch.cat(densities), pixels, landed)
     return image.to(nodes.dtype), landed
@@ -86,6 +81,34 @@ def _in_two_pixels(x: Tensor, y: Tensor, n_x: int) -> tuple[Tensor, Tensor]:
     part = first.square() / torch.where(over.all(1), torch.inf, (first - second) * (first - third))
     at = (i * n_x + j).long().gather(1, turns[:, :2]).T
     return at, torch.stack([part, 1 - part])
+
+
+def _without_slivers(corners: Tensor, flux: Tensor) -> tuple[Tensor, Tensor]:
+    """Triangles (2, n, 3) and their flux (n,), with two wider triangles in place of each sliver.
+
+    See `workbench.optics.kernels.beam_edge.SLIVER`.
+    """
+    with torch.no_grad():
+        sides = corners[:, :, 1:] - corners[:, :, :1]
+        length = sides.abs().amax((0, 2))
+        narrow = _area(corners).abs() <= SLIVER * length * length.clamp_min(1)
+        sides, length = sides[:, narrow], length[narrow]
+        least = sides.new_tensor([[SLIVER, 0.0], [0.0, 0.0]])[:, None]
+        wide = torch.where((length < SLIVER)[:, None], least, sides)
+        part = 4 * SLIVER * length.clamp_min(SLIVER).reciprocal().clamp_min(1)
+        one, two = (part * torch.stack([-wide[1], wide[0]])[:, :, k] for k in range(2))
+        square = wide.square().sum(0)
+        first = square[:, 0] >= square[:, 1]
+        across = torch.stack([torch.where(first, 0.0, -two), torch.where(first, one, 0.0)], 2)
+    slivers, half = corners[:, narrow], 0.5 * flux[narrow]
+    pair = [slivers + pad(wide - sides + side * across, (1, 0)) for side in (-1, 1)]
+    return torch.cat([corners[:, ~narrow], *pair], 1), torch.cat([flux[~narrow], half, half])
+
+
+def _area(corners: Tensor) -> Tensor:
+    x, y = corners.unbind()
+    side_x, side_y = x[:, 1:] - x[:, :1], y[:, 1:] - y[:, :1]
+    return 0.5 * (side_x[:, 0] * side_y[:, 1] - side_x[:, 1] * side_y[:, 0])
 
 
 def shifted_hits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:

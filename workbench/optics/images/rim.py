@@ -17,7 +17,6 @@ from torch import Tensor
 
 from workbench.optics import ready
 from workbench.optics.images.beams import drawn, first_lines
-from workbench.optics.kernels.beam_cells import SLIVER
 from workbench.optics.kernels.cell_image import Splits, repeated
 from workbench.optics.kernels.node_shift import FARTHEST
 from workbench.optics.kernels.polygons import compiled_drawn
@@ -25,6 +24,8 @@ from workbench.optics.kernels.polygons import compiled_drawn
 # Corners of the triangles of even and of odd cells, as numbers of 2 × 2 nodes; see
 # `workbench.optics.images.beams`.
 _EVEN, _ODD = [[0, 2, 3], [0, 3, 1]], [[0, 2, 1], [2, 3, 1]]
+# A triangle of less area than this, in pixels, lights the pixel of its middle.
+_NARROWEST = 1e-6
 # Corners of a triangle by which the part of it within the rim is measured.
 _UNIT = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 
@@ -81,7 +82,7 @@ def rim_light(
     lit = half * part
     landed, counted = lit.sum().item(), (cells.flux.sum() - already.sum()).item()
     area = _area(column, row)
-    wide = area.detach().abs() > SLIVER * part.detach()
+    wide = area.detach().abs() > _NARROWEST * part.detach()
     x, y, density = (each[wide] for each in (column, row, lit / torch.where(wide, area, 1.0)))
     compiled = fused and nodes.device.type == "cpu" and ready.obtain("beams", nodes.dtype)
     image = (compiled_drawn if compiled else drawn)(x, y, density, pixels, landed)

@@ -11,13 +11,9 @@ import numpy.typing as npt
 
 from workbench.arrays import AnyArray, Index
 from workbench.compiled import jit
+from workbench.optics.kernels.beam_edge import add_sliver, is_sliver, see_sliver
 from workbench.optics.kernels.node_shift import shift
 
-# A triangle that is narrower than this, in pixels, lights the one pixel in which its middle is. Its
-# width is its area by its length, or by a pixel if it is shorter. Where the light of a long one is
-# in a pixel would be a difference of great numbers, and its gradient that of greater ones: with
-# 1e-7 rounding changes a gradient of 13 × 13 × 48² cells by 3e-5, with 1e-6 by 3e-7.
-SLIVER = 1e-6
 RING = 4
 _NOWHERE = -16
 _ONE = np.uintp(1)
@@ -151,21 +147,6 @@ def _sides(places, j, corners):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _is_sliver(x_1, y_1, x_2, y_2, area):  # type: ignore[no-untyped-def]
-    """Whether a triangle is too narrow to be drawn; it is given by two of its sides."""
-    length = max(abs(x_1), abs(y_1), abs(x_2), abs(y_2), 1.0)
-    return abs(area) <= SLIVER * length
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
-def _pixel_of(x, y, size):  # type: ignore[no-untyped-def]
-    """Number of the pixel of a place; −1 beside the image."""
-    if 0 <= x < size[1] and 0 <= y < size[0]:
-        return np.int32(y) * np.int32(size[1] + 1) + np.int32(x)
-    return np.int32(-1)
-
-
-@jit(allocates=False, error_model="numpy", forceinline=True)
 def _axis(numbers, before, after, j, width):  # type: ignore[no-untyped-def]
     """Axis along which a cell is in two neighbouring pixels, or in one; −1 if it is in others.
 
@@ -209,7 +190,7 @@ def _cut(places, axis, j, corners, turn):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _add_triangle(rings, j, corners, half, image, size, axis):  # type: ignore[no-untyped-def]
+def _add_triangle(rings, j, corners, half, image, steps, axis):  # type: ignore[no-untyped-def]
     """Add the light of a triangle that needs no edges, or return its density; and what lands.
 
     `axis`: see `_axis`.
@@ -229,20 +210,18 @@ def _add_triangle(rings, j, corners, half, image, size, axis):  # type: ignore[n
     if p < 0 and p == q and p == r:
         return 0.0, half
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
-    if not _is_sliver(x_1, y_1, x_2, y_2, area):
+    if not is_sliver(x_1, y_1, x_2, y_2, area):
         return half / area, half
-    pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
-    if pixel >= 0:
-        image[pixel] += half
+    add_sliver(x, y, x_1, y_1, x_2, y_2, half, steps)
     return 0.0, half
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def add_cells(mesh, i, rings, image, size):  # type: ignore[no-untyped-def]
+def add_cells(mesh, i, rings, image, steps):  # type: ignore[no-untyped-def]
     """Add the light of a row of cells that needs no edges, and list the cells that need some.
 
-    `image` (n_y (n_x + 1),): changed. Returns the flux of all triangles whose corners hit the
-    plane, on the image or beside it.
+    `image` (n_y (n_x + 1),), `steps` (n_y, n_x + 1): changed; see `draw`. Returns the flux of all
+    triangles whose corners hit the plane, on the image or beside it.
     """
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
@@ -257,12 +236,12 @@ def add_cells(mesh, i, rings, image, size):  # type: ignore[no-untyped-def]
             if pixel >= 0:
                 image[pixel] += 2.0 * half
         elif half != 0.0:
-            axis = _axis(rings.numbers, before, after, j, np.int32(size[1] + 1))
+            axis = _axis(rings.numbers, before, after, j, np.int32(steps.shape[1]))
             even = (np.int64(j) + turn) % 2 == 0
             corners = _corners(even, 0, before, after)
-            one, landed = _add_triangle(rings, j, corners, half, image, size, axis)
+            one, landed = _add_triangle(rings, j, corners, half, image, steps, axis)
             corners = _corners(even, 1, before, after)
-            two, landed_two = _add_triangle(rings, j, corners, half, image, size, axis)
+            two, landed_two = _add_triangle(rings, j, corners, half, image, steps, axis)
             lands += landed + landed_two
             dense[j + _ONE, 0], dense[j + _ONE, 1] = one, two
             listed[count] = j
@@ -288,7 +267,7 @@ def _put(values, j, corners, p, q, r):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _see_triangle(rings, j, corners, half, seen, size, moved, axis):  # type: ignore[no-untyped-def]
+def _see_triangle(rings, j, corners, half, seen, cotangents, moved, axis):  # type: ignore[no-untyped-def]
     """Adjoint of `_add_triangle`: the density, or 0 and the cotangent of the flux."""
     p, q, r = _at(rings.numbers, j, corners)
     if axis >= 0:
@@ -306,18 +285,21 @@ def _see_triangle(rings, j, corners, half, seen, size, moved, axis):  # type: ig
     if min(p, q, r) == _NOWHERE or (p < 0 and p == q and p == r):
         return 0.0, 0.0
     x, y, x_1, y_1, x_2, y_2, area = _sides(rings.places, j, corners)
-    if half != 0.0 and not _is_sliver(x_1, y_1, x_2, y_2, area):
+    if half != 0.0 and not is_sliver(x_1, y_1, x_2, y_2, area):
         return half / area, 0.0
-    pixel = _pixel_of(x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3, size)
-    return 0.0, seen[pixel] if pixel >= 0 else 0.0
+    d_x, d_y, mean = see_sliver(x, y, x_1, y_1, x_2, y_2, half, *cotangents)
+    _put(moved[0], j, corners, *d_x)
+    _put(moved[1], j, corners, *d_y)
+    return 0.0, mean
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def see_cells(mesh, i, rings, seen, size, moved, d_cells):  # type: ignore[no-untyped-def]
+def see_cells(mesh, i, rings, seen, cotangents, moved, d_cells):  # type: ignore[no-untyped-def]
     """Adjoint of `add_cells`, which lists the cells that need edges too.
 
-    `seen` (n_y (n_x + 1),): cotangent of the image; `moved` (2, RING, m): cotangents of hits;
-    changed; `d_cells` (m - 1,): cotangents of the flux of cells; changed.
+    `seen` (n_y (n_x + 1),): cotangent of the image; `cotangents`: the same, and its sums; see
+    `draw_back`; `moved` (2, RING, m): cotangents of hits; changed; `d_cells` (m - 1,): cotangents
+    of the flux of cells; changed.
     """
     before, after = np.uintp(i % RING), np.uintp((i + 1) % RING)
     here, next, dense = rings.pairs[before], rings.pairs[after], rings.density[before]
@@ -330,12 +312,12 @@ def see_cells(mesh, i, rings, seen, size, moved, d_cells):  # type: ignore[no-un
             d_cells[j] = seen[pixel] if pixel >= 0 else 0.0
             continue
         half = 0.5 * (first * flux[j] + second * flux_next[j])
-        axis = _axis(rings.numbers, before, after, j, np.int32(size[1] + 1))
+        axis = _axis(rings.numbers, before, after, j, np.int32(cotangents[1].shape[1]))
         even = (np.int64(j) + turn) % 2 == 0
         corners = _corners(even, 0, before, after)
-        one, d_one = _see_triangle(rings, j, corners, half, seen, size, moved, axis)
+        one, d_one = _see_triangle(rings, j, corners, half, seen, cotangents, moved, axis)
         corners = _corners(even, 1, before, after)
-        two, d_two = _see_triangle(rings, j, corners, half, seen, size, moved, axis)
+        two, d_two = _see_triangle(rings, j, corners, half, seen, cotangents, moved, axis)
         d_cells[j] = 0.5 * (d_one + d_two)
         dense[j + _ONE, 0], dense[j + _ONE, 1] = one, two
         listed[count] = j

@@ -121,7 +121,7 @@ def draw(mesh, begin, end, image, steps):  # type: ignore[no-untyped-def]
     for i in range(begin, end + 1):
         if i < end:
             load(mesh, i + 1, size, rings)
-            lands += add_cells(mesh, i, rings, image, size)
+            lands += add_cells(mesh, i, rings, image, steps)
         else:
             no_cells(i, rings)
         rows, here, above = _rows(mesh, i, m), rings.cells[i % RING], rings.cells[(i - 1) % RING]
@@ -164,7 +164,7 @@ def draw_back(mesh, begin, end, cotangent, seen, right, result):  # type: ignore
         moved[0, after], moved[1, after], d_flux[after], d_density[k] = 0.0, 0.0, 0.0, 0.0
         if i + 1 < n:
             load(mesh, i + 1, size, rings)
-            see_cells(mesh, i, rings, seen, size, moved, d_cells[k])
+            see_cells(mesh, i, rings, seen, seen_by, moved, d_cells[k])
         else:
             no_cells(i, rings)
         if i < n:
