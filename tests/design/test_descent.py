@@ -8,7 +8,8 @@ import pytest
 import torch
 from scipy.fft import dctn
 
-from workbench.design.descent import Descent, Evaluation, FaceWaves, descend, minimise
+from workbench.design.descent import Descent, Evaluation, descend, minimise
+from workbench.design.waves import FaceWaves
 from workbench.optics.account import Account, UnbalancedAccount
 
 SHAPE = 16, 12
@@ -117,19 +118,29 @@ def objective(function):
     return evaluate
 
 
+def of_one_size(count):
+    """Waves of one size, by which a descent is one in the numbers themselves."""
+    return FaceWaves({"lens.back": torch.zeros(1, count).double()}, 0.0, (False, False))
+
+
 def rosenbrock(x):
     return (100 * (x[1:] - x[:-1].square()).square() + (1 - x[:-1]).square()).sum()
 
 
 def test_the_minimum_of_a_curved_valley_is_found():
-    points = list(islice(minimise(objective(rosenbrock), torch.zeros(6).double()), 200))
+    points = list(
+        islice(minimise(objective(rosenbrock), torch.zeros(6).double(), of_one_size(6)), 200)
+    )
     assert (points[-1][0] - 1).abs().max() < 1e-6
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1.0, 1e12])
 def test_the_scale_of_the_problem_does_not_matter(scale):
     found = islice(
-        minimise(objective(lambda x: scale * rosenbrock(x)), torch.zeros(4).double()), 60
+        minimise(
+            objective(lambda x: scale * rosenbrock(x)), torch.zeros(4).double(), of_one_size(4)
+        ),
+        60,
     )
     assert list(found)[-1][1].value < 1e-3 * scale
 
@@ -147,7 +158,7 @@ def test_points_without_a_step_from_them_have_no_gradient():
 
         return Evaluation(found.value, differentiate, None)
 
-    accepted = list(islice(minimise(counted, torch.zeros(6).double()), 20))
+    accepted = list(islice(minimise(counted, torch.zeros(6).double(), of_one_size(6)), 20))
     assert len(differentiated) == len(accepted) - 1 < len(evaluated)
 
 
@@ -161,7 +172,7 @@ def test_the_minimum_within_ends_fulfils_the_conditions_of_one(width, rng):
     def bowl(x):
         return (x - aim) @ matrix @ (x - aim)
 
-    points = list(islice(minimise(objective(bowl), low, ends=(low, high)), 100))
+    points = list(islice(minimise(objective(bowl), low, of_one_size(12), (low, high)), 100))
     assert all(((low <= x) & (x <= high)).all() for x, _ in points)
     x, gradient = points[-1][0], points[-1][1].gradient
     falls = torch.where(gradient > 0, x > low, x < high)  # towards there it could still fall

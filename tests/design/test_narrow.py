@@ -5,12 +5,13 @@ import pytest
 import torch
 
 from workbench.design.bounds import Bounds
-from workbench.design.descent import Evaluation, FaceWaves, minimise
+from workbench.design.descent import Evaluation, minimise
 from workbench.design.levels import finest_image
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
 from workbench.design.narrow import closest_slopes
 from workbench.design.run import run
+from workbench.design.waves import FaceWaves
 from workbench.geometry.surface import ControlNet
 
 TASK = {"lens.control_points": [48, 48], "screen.pixels": [48, 48], "run.iterations": 60}

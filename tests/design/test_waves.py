@@ -7,7 +7,7 @@ import pytest
 import torch
 from scipy.fft import dctn, idctn
 
-from workbench.design.descent import Waves
+from workbench.design.waves import Waves
 
 SHAPE = 9, 6
 

@@ -21,7 +21,7 @@ from torch import Tensor
 
 from workbench.arrays import Array, Mask
 from workbench.design.bounds import Bounds, FreeHeights
-from workbench.design.descent import Descent, Evaluation, FaceWaves, descend, descents_of
+from workbench.design.descent import Descent, Evaluation, descend, descents_of
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.levels import eases_of, finest_image, judging_image
@@ -29,6 +29,7 @@ from workbench.design.loss import check_gradient, relative_error
 from workbench.design.narrow import begin_within, times_fewer
 from workbench.design.smoothness import Smoothness
 from workbench.design.snapshot import GAINED, NO_IMAGE
+from workbench.design.waves import FaceWaves
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_FACES, NO_LOCKS
 from workbench.geometry.surface import freeform_nets

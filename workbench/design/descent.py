@@ -1,15 +1,4 @@
-"""Descents along waves of a net by limited-memory BFGS, and when each ends.
-
-Irradiance depends on the second derivatives of the face, so short waves of the same height change
-it far more than long ones. A descent that treats all heights alike spends its steps on the short
-ones; so a wave is made small in proportion to a power of its periods per lens.
-
-Where the image is dark, light of a small part of the lens fills much of it. A wave of the face
-changes its irradiance I in proportion to I^1.5, and a pixel there takes 1 / I of the face: without
-a blur, the square of the error grows with the square of I. So waves are made larger where light
-goes to dark places. A photograph of 960 x 960 control points is 0.97 % off after 13 steps without
-this and 0.81 % with it, words of 480 x 480 end at 4.4 and 3.2 %.
-"""
+"""Descents along waves of a net by limited-memory BFGS, and when each ends."""
 
 import math
 from collections import deque
@@ -17,27 +6,18 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
-from typing import Generic, NamedTuple, Protocol, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
-import numpy as np
 import torch
-from scipy.fft import dctn, idctn
 from torch import Tensor
 
-from workbench.arrays import AnyArray, Array
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.snapshot import FLAT, LOWEST, SLOW, SMALL
-from workbench.geometry.faces import NO_FACES
+from workbench.design.waves import FaceWaves
 from workbench.messages import Message
 from workbench.optics.account import UnbalancedAccount
-from workbench.optics.kernels import threads
 
-# A blur damps waves of which it is wider than this part of a period: a disc leaves 2 J₁(πf) / (πf)
-# of a wave, which falls as 2 √(2/π) (πf)^-1.5 from here on.
-_DAMPED = 0.435
-# Waves of a net of more control points are computed in float32, in half of the time.
-_MANY = 256**2
 # Steps whose curvature L-BFGS remembers: as many as fit into this memory, but not fewer or more.
 # *LED close by* ends at 4.8 % after 118 steps with 20 of them, at 3.2 % after 199 steps with 150.
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
@@ -76,140 +56,6 @@ _EVEN = (Descent(1.25, 0.0025, 1.5e-4),)
 _UNEVEN = (Descent(1.0, 0.03, 0.0, longest=0.25, above=0.15), Descent(1.0, 0.01, 0.0))
 
 
-class Waves:
-    """Cosine waves over a control net.
-
-    `shape`: (n_u, n_v) of the net; `power`: waves are made small in proportion to this power of
-    their periods per lens; `mirrored`: whether to leave out all waves that are not mirror images of
-    themselves in u, in v; `blur_widths`: full widths of a blur of what the waves make along u and
-    v, parts of the lens: the waves that it damps are all of one size; `longest`: part of the waves
-    along each axis, the longest ones, that are left; `eases` (n_u, n_v): how much larger waves are
-    at each control point; by default they are as large everywhere.
-    """
-
-    def __init__(
-        self,
-        shape: Sequence[int],
-        power: float,
-        mirrored: tuple[bool, bool],
-        blur_widths: tuple[float, float] = (0.0, 0.0),
-        longest: float = 1.0,
-        eases: Array | None = None,
-    ) -> None:
-        self.shape = tuple(shape)
-        self._workers = threads.workers(math.prod(shape))
-        (along_u, along_v), (b_u, b_v) = (np.arange(count) / 2 for count in shape), blur_widths
-        periods = 1 + along_u[:, None] ** 2 + along_v**2
-        damped = 1 + ((b_u * along_u[:, None]) ** 2 + (b_v * along_v) ** 2) / _DAMPED**2
-        squares = (periods / damped) ** -power  # of sizes
-        for axis, count in enumerate(shape):
-            np.moveaxis(squares, axis, 0)[math.ceil(longest * count) :] = 0.0
-        self._mirrored_axes = [axis for axis in (0, 1) if mirrored[axis]]
-        if mirrored[0]:
-            squares[1::2] = 0.0
-        if mirrored[1]:
-            squares[:, 1::2] = 0.0
-        # Amplitudes only say where a descent looks next.
-        self._kind = np.float32 if squares.size > _MANY else np.float64
-        self._sizes: AnyArray = np.sqrt(squares).astype(self._kind)
-        self._roots: AnyArray | None = None
-        if eases is not None:
-            self._roots = np.sqrt(eases).astype(self._kind)
-
-    def amplitudes(self, gradient: Tensor) -> Tensor:
-        """Gradient with respect to the amplitudes of all waves, of that to the net (n_u, n_v)."""
-        values = dctn(self._copied(gradient), norm="ortho", workers=self._workers)
-        values *= self._sizes
-        if self._roots is not None:
-            values = idctn(values, norm="ortho", workers=self._workers, overwrite_x=True)
-            values *= self._roots
-        return torch.as_tensor(values)
-
-    def change(self, amplitudes: Tensor) -> Tensor:
-        """The change of the net that waves make, of their amplitudes; both of shape (n_u, n_v)."""
-        values = self._copied(amplitudes)
-        if self._roots is not None:
-            values = dctn(values * self._roots, norm="ortho", workers=self._workers)
-        values = idctn(values * self._sizes, norm="ortho", workers=self._workers, overwrite_x=True)
-        return self.even(torch.as_tensor(values).to(amplitudes))
-
-    def _copied(self, values: Tensor) -> AnyArray:
-        return values.detach().cpu().numpy().astype(self._kind)
-
-    def even(self, net: Tensor) -> Tensor:
-        """The part of a net (n_u, n_v) that is a mirror image of itself, where waves have to be."""
-        for axis in self._mirrored_axes:
-            net = (net + net.flip(axis)) / 2
-        return net
-
-
-class FaceWaves:
-    """Waves over the nets of several faces, whose values lie one after the other.
-
-    `like` (n_u, n_v): A net of each face; `power`, `mirrored`, `blur_widths`, `longest`: see
-    `Waves`; `eases` (n_u, n_v): those of each face that has some.
-    """
-
-    def __init__(
-        self,
-        like: Mapping[str, Tensor],
-        power: float,
-        mirrored: tuple[bool, bool],
-        blur_widths: tuple[float, float] = (0.0, 0.0),
-        longest: float = 1.0,
-        eases: Mapping[str, Array] = NO_FACES,
-    ) -> None:
-        self._waves = {
-            face: Waves(each.shape, power, mirrored, blur_widths, longest, eases.get(face))
-            for face, each in like.items()
-        }
-
-    def values(self, nets: Mapping[str, Tensor]) -> Tensor:
-        """The values of the net of each face one after the other, shape (points,)."""
-        return torch.cat([nets[face].flatten() for face in self._waves])
-
-    def nets(self, values: Tensor) -> dict[str, Tensor]:
-        """The net of each face, shape (n_u, n_v), of all values: the inverse of `values`."""
-        shapes = [each.shape for each in self._waves.values()]
-        parts = torch.split(values, [math.prod(shape) for shape in shapes])
-        views = (part.view(shape) for part, shape in zip(parts, shapes, strict=True))
-        return dict(zip(self._waves, views, strict=True))
-
-    def amplitudes(self, gradient: Tensor) -> Tensor:
-        """See `Waves`; shape (points,) for all faces."""
-        nets = self.nets(gradient)
-        return self.values({face: w.amplitudes(nets[face]) for face, w in self._waves.items()})
-
-    def change(self, amplitudes: Tensor) -> Tensor:
-        """See `Waves`; shape (points,) for all faces."""
-        nets = self.nets(amplitudes)
-        return self.values({face: w.change(nets[face]) for face, w in self._waves.items()})
-
-    def even(self, values: Tensor) -> Tensor:
-        """See `Waves`; shape (points,) for all faces."""
-        nets = self.nets(values)
-        return self.values({face: each.even(nets[face]) for face, each in self._waves.items()})
-
-
-class Coordinates(Protocol):
-    """Coordinates a in which x = W a, and steps of one length are equally easy."""
-
-    def amplitudes(self, gradient: Tensor) -> Tensor:
-        """Wᵀ g of a gradient g with respect to x, shape (n,): that with respect to a."""
-
-    def change(self, amplitudes: Tensor) -> Tensor:
-        """W a, shape (n,)."""
-
-
-class _Plain:
-    def amplitudes(self, gradient: Tensor) -> Tensor:
-        return gradient
-
-    def change(self, amplitudes: Tensor) -> Tensor:
-        return amplitudes
-
-
-_PLAIN = _Plain()
 Seen = TypeVar("Seen", covariant=True)
 
 
@@ -248,25 +94,25 @@ def remembered(count: int) -> int:
 def minimise(
     objective: Objective[Seen],
     x: Tensor,
-    coordinates: Coordinates = _PLAIN,
+    waves: FaceWaves,
     ends: tuple[Tensor, Tensor] | None = None,
 ) -> Iterator[tuple[Tensor, Evaluation[Seen]]]:
     """Descend from ``x`` until no step along the search direction goes further down.
 
     `objective`: takes a point, shape (n,), and returns an `Evaluation` with a value that is not
-    negative; `x` (n,): where to begin; `coordinates`: in which a step is measured; by default x
-    itself. `ends` (n,): least and largest value of each number; by default there are none. Yields
-    the beginning, then each accepted point.
+    negative; `x` (n,): where to begin; `waves`: by whose amplitudes a step is measured; `ends`
+    (n,): least and largest value of each number; by default there are none. Yields the beginning,
+    then each accepted point.
 
     Notes
     -----
     Two-loop recursion with backtracking (Nocedal & Wright, Numerical Optimization, 2006,
     algorithms 7.4 and 3.1). The very first step is Polyak's, value / |gradient|², the one that
     would reach 0 if the objective fell on at this rate: no length to be set by hand. With W Wᵀ as
-    the first inverse of the Hessian the steps are those of a descent in other coordinates, without
-    going there and back. Numbers at an end to which the objective falls are held there for a step;
-    the others are followed along the path that is projected into the ends (Bertsekas, Projected
-    Newton methods, 1982).
+    the first inverse of the Hessian the steps are those of a descent in amplitudes a of waves W a,
+    without going there and back. Numbers at an end to which the objective falls are held there for
+    a step; the others are followed along the path that is projected into the ends (Bertsekas,
+    Projected Newton methods, 1982).
     """
     low, high = ends or (torch.full_like(x, -math.inf), torch.full_like(x, math.inf))
     pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
@@ -274,7 +120,7 @@ def minimise(
     here = objective(x)
     yield x, here
     while True:
-        direction = _direction(pairs, here, coordinates, _free(x, here.gradient, low, high))
+        direction = _direction(pairs, here, waves, _free(x, here.gradient, low, high))
         if not torch.dot(here.gradient, direction).item() < 0:
             return
         step = 1.0
@@ -310,7 +156,7 @@ def _free(x: Tensor, gradient: Tensor, low: Tensor, high: Tensor) -> Tensor | No
 
 
 def _direction(
-    pairs: Sequence[_Pair], here: Evaluation[Seen], coordinates: Coordinates, free: Tensor | None
+    pairs: Sequence[_Pair], here: Evaluation[Seen], waves: FaceWaves, free: Tensor | None
 ) -> Tensor:
     """Minus the inverse of the Hessian as the pairs know it, times the gradient.
 
@@ -318,10 +164,10 @@ def _direction(
     """
 
     def amplitudes(gradient: Tensor) -> Tensor:
-        return coordinates.amplitudes(gradient if free is None else free * gradient)
+        return waves.amplitudes(gradient if free is None else free * gradient)
 
     def change(amplitudes: Tensor) -> Tensor:
-        changed = coordinates.change(amplitudes).to(here.gradient)
+        changed = waves.change(amplitudes).to(here.gradient)
         return changed if free is None else free * changed
 
     gradient = here.gradient

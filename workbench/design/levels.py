@@ -288,7 +288,7 @@ def eases_of(
     """How much larger waves of a face are to be where its light goes to dark places.
 
     `heights` (n_u, n_v): control heights of a lens like those to come. Returns (n_u, n_v) for each
-    face; see `workbench.design.descent`. Nothing for two faces, several images, and blurred ones.
+    face; see `workbench.design.waves`. Nothing for two faces, several images, and blurred ones.
     """
     if image.blurred or len(heights) > 1 or len(scene.images) > 1:
         return {}
