@@ -3,7 +3,7 @@
 Finer nets take longer. Of 256 x 256 pixels, a flame is 1.57 % off with 480 x 480 control points
 after 9 s of the processor, 1.27 % with 768 x 624 after 14 s, and 1.00 % with 960 x 624 after 28 s;
 words on black 3.3, 2.3 and 1.9 % after 10, 15 and 28 s. So 480 is the net for the usual detail of
-so many pixels, and up to 768 that for sharp edges. A target is worth the highest frequency of its
+256 pixels, and up to 768 that for sharp edges. A target is worth the highest frequency of its
 detail, and nothing is worth more than the blur that a source of some size lays over the screen.
 
 Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. A method that nets

@@ -144,20 +144,18 @@ class Rough(NamedTuple):
 
     def transported(
         self, view: ReceiverView, flux: Array, wanted: Array, rounds: int
-    ) -> tuple[Transport, Callable[[], Pair]]:
+    ) -> tuple[Transport, Callable[[Transport], Pair]]:
         """Transport of more cells that begins with that of few.
 
         `flux` (cells, cells): that leaves the exit face; `wanted` (cells, cells): light in each
-        cell of the view; all together 1; `rounds`: at most so many, in the view. Returns it, and
+        cell of the view; all together 1; `rounds`: the most on the finest grid. Returns it, and
         what says where on the receiver it brings light, in the receiver's coordinates.
         """
         if self.chart is None:
             weights = view.weights(view.half_extent)
-            found = Transport(flux, wanted, weights, rounds, self.transport)
-            return found, lambda: view.places(found)
+            return Transport(flux, wanted, weights, rounds, self.transport), view.places
         chart = self.chart.finer((len(wanted) // len(self.flux)).bit_length() - 1)
-        charted = chart.transport(flux, wanted, rounds, self.transport)
-        return charted, lambda: chart.places(charted)
+        return chart.transport(flux, wanted, rounds, self.transport), chart.places
 
 
 def rough_lens(scene: Scene, net: ControlNet, wanted: Array, fits: int) -> Rough | None:
