@@ -25,6 +25,10 @@ from workbench.scene import Scene, WantedImage
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first design falls, within these.
 MARGINS = 0.05, 1.0
+# Width of a blur, in pixels, that damps waves of a face as pixels do: random waves of a photograph's
+# lens change its pixels by the square of their periods up to half of them along the image, and by
+# the same from there on.
+_PIXEL = 1.9
 # Time of a cell drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
 # trace, image and gradients, with one freeform face and with two, of which the trace takes most.
 _OF_A_BOX = 0.3, 0.75
@@ -51,7 +55,8 @@ class WideImage:
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
     is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
-    ``blur`` and ``scattering`` along x and y, parts of those of the receiver.
+    ``blur`` and ``scattering`` along x and y, parts of those of the receiver, or that of a pixel;
+    0 where the blur differs over the lens.
     """
 
     def __init__(
@@ -76,7 +81,8 @@ class WideImage:
         corners = Corners(*cells)
         self.blurred = blur is not None or scattering is not None or corners.origins > 1
         blurs = [each.widths for each in (blur and blur.mean, scattering) if each]
-        x, y = map(max, zip((0.0, 0.0), *blurs, strict=True))
+        pixel = 0.0 if self.blurred and not blurs else _PIXEL
+        x, y = map(max, zip((pixel, pixel), *blurs, strict=True))
         self.blur_widths = x / n_x, y / n_y
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:

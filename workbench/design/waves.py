@@ -4,11 +4,14 @@ Irradiance depends on the second derivatives of the face, so short waves of the 
 it far more than long ones. A descent that treats all heights alike spends its steps on the short
 ones; so a wave is made small in proportion to a power of its periods per lens.
 
+Waves shorter than some pixels of the image only move light within pixels and over their borders.
+They change the image as much as those of a few pixels do, so all of them are of one size, as are
+those that a blur damps.
+
 Where the image is dark, light of a small part of the lens fills much of it. A wave of the face
 changes its irradiance I in proportion to I^1.5, and a pixel there takes 1 / I of the face: without
-a blur, the square of the error grows with the square of I. So waves are made larger where light
-goes to dark places. A photograph of 960 x 960 control points is 0.97 % off after 13 steps without
-this and 0.81 % with it, words of 480 x 480 end at 4.4 and 3.2 %.
+a blur, the error grows with I. So waves are made larger in proportion to 1 / I. With both, the
+lenses of 21 pictures of 256 x 256 pixels are XX % off in median where they were YY %.
 """
 
 import math
@@ -66,24 +69,24 @@ class Waves:
         # Amplitudes only say where a descent looks next.
         self._kind = np.float32 if squares.size > _MANY else np.float64
         self._sizes: AnyArray = np.sqrt(squares).astype(self._kind)
-        self._roots: AnyArray | None = None
+        self._eases: AnyArray | None = None
         if eases is not None:
-            self._roots = np.sqrt(eases).astype(self._kind)
+            self._eases = eases.astype(self._kind)
 
     def amplitudes(self, gradient: Tensor) -> Tensor:
         """Gradient with respect to the amplitudes of all waves, of that to the net (n_u, n_v)."""
         values = dctn(self._copied(gradient), norm="ortho", workers=self._workers)
         values *= self._sizes
-        if self._roots is not None:
+        if self._eases is not None:
             values = idctn(values, norm="ortho", workers=self._workers, overwrite_x=True)
-            values *= self._roots
+            values *= self._eases
         return torch.as_tensor(values)
 
     def change(self, amplitudes: Tensor) -> Tensor:
         """The change of the net that waves make, of their amplitudes; both of shape (n_u, n_v)."""
         values = self._copied(amplitudes)
-        if self._roots is not None:
-            values = dctn(values * self._roots, norm="ortho", workers=self._workers)
+        if self._eases is not None:
+            values = dctn(values * self._eases, norm="ortho", workers=self._workers)
         values = idctn(values * self._sizes, norm="ortho", workers=self._workers, overwrite_x=True)
         return self.even(torch.as_tensor(values).to(amplitudes))
 
