@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
+import scipy
 import torch
-from scipy.fft import next_fast_len
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
@@ -144,7 +144,7 @@ class LightBlurring:
     def __init__(self, kernels: Tensor, factors: Tensor) -> None:
         n_y, n_x = self._shape = factors.shape[1], factors.shape[2]
         m_y, m_x = self._margin = kernels.shape[2] // 2, kernels.shape[3] // 2
-        self._grid = next_fast_len(n_y + 2 * m_y), next_fast_len(n_x + 2 * m_x)
+        self._grid = scipy.fft.next_fast_len(n_y + 2 * m_y), scipy.fft.next_fast_len(n_x + 2 * m_x)
         parts = math.isqrt(kernels.shape[1])
         by_parts = kernels.reshape(-1, parts, parts, *kernels.shape[2:])
         self._kernels, self._factors = [self._waves(each) for each in by_parts], factors

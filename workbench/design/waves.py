@@ -18,8 +18,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+import scipy
 import torch
-from scipy.fft import dctn, idctn
 from torch import Tensor
 
 from workbench.arrays import AnyArray, Array
@@ -75,10 +75,10 @@ class Waves:
 
     def amplitudes(self, gradient: Tensor) -> Tensor:
         """Gradient with respect to the amplitudes of all waves, of that to the net (n_u, n_v)."""
-        values = dctn(self._copied(gradient), norm="ortho", workers=self._workers)
+        values = scipy.fft.dctn(self._copied(gradient), norm="ortho", workers=self._workers)
         values *= self._sizes
         if self._eases is not None:
-            values = idctn(values, norm="ortho", workers=self._workers, overwrite_x=True)
+            values = scipy.fft.idctn(values, norm="ortho", workers=self._workers, overwrite_x=True)
             values *= self._eases
         return torch.as_tensor(values)
 
@@ -86,8 +86,10 @@ class Waves:
         """The change of the net that waves make, of their amplitudes; both of shape (n_u, n_v)."""
         values = self._copied(amplitudes)
         if self._eases is not None:
-            values = dctn(values * self._eases, norm="ortho", workers=self._workers)
-        values = idctn(values * self._sizes, norm="ortho", workers=self._workers, overwrite_x=True)
+            values = scipy.fft.dctn(values * self._eases, norm="ortho", workers=self._workers)
+        values = scipy.fft.idctn(
+            values * self._sizes, norm="ortho", workers=self._workers, overwrite_x=True
+        )
         return self.even(torch.as_tensor(values).to(amplitudes))
 
     def _copied(self, values: Tensor) -> AnyArray:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy import fft
+import scipy
 
 from workbench.arrays import AnyArray, Array
 from workbench.messages import Message
@@ -58,9 +58,9 @@ def convolved(image: Array, kernel: Array) -> Array:
     As `scipy.signal.fftconvolve`, which takes most of a second to import.
     """
     n_y, n_x = np.add(image.shape, kernel.shape) - 1
-    size = fft.next_fast_len(n_y, real=True), fft.next_fast_len(n_x, real=True)
-    waves = fft.rfft2(image, size) * fft.rfft2(kernel, size)
-    return np.asarray(fft.irfft2(waves, size)[:n_y, :n_x])
+    size = scipy.fft.next_fast_len(n_y, real=True), scipy.fft.next_fast_len(n_x, real=True)
+    waves = scipy.fft.rfft2(image, size) * scipy.fft.rfft2(kernel, size)
+    return np.asarray(scipy.fft.irfft2(waves, size)[:n_y, :n_x])
 
 
 def convolved_in_place(image: Array, kernel: Array) -> Array:
@@ -98,7 +98,8 @@ class Blurring:
         margins = m_y, m_x = kernels.shape[1] // 2, kernels.shape[2] // 2
         n_y, n_x = shape
         g_y, g_x = (
-            fft.next_fast_len(n + 4 * m, real=True) for n, m in zip(shape, margins, strict=True)
+            scipy.fft.next_fast_len(n + 4 * m, real=True)
+            for n, m in zip(shape, margins, strict=True)
         )
         self.grid = g_y, g_x
         self.places = slice(0, n_y + 2 * m_y), slice(0, n_x + 2 * m_x)
@@ -107,11 +108,11 @@ class Blurring:
 
     def waves(self, images: AnyArray) -> npt.NDArray[np.complexfloating]:
         """Fourier transforms of images on the grid; smaller ones are padded."""
-        return np.asarray(fft.rfft2(images, self.grid, workers=-1))
+        return np.asarray(scipy.fft.rfft2(images, self.grid, workers=-1))
 
     def images(self, waves: npt.NDArray[np.complexfloating]) -> Array:
         """Images on the grid of their Fourier transforms."""
-        return np.asarray(fft.irfft2(waves, self.grid, workers=-1, overwrite_x=True))
+        return np.asarray(scipy.fft.irfft2(waves, self.grid, workers=-1, overwrite_x=True))
 
     def on_grid(self, image: AnyArray) -> AnyArray:
         """An image at its position on the grid, dark around it."""

@@ -25,7 +25,9 @@ NonNegative = Annotated[float, Field(ge=0)]
 class Part(BaseModel):
     """A frozen part of the scene that refuses unknown fields and loose types."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, defer_build=True
+    )
 
     @model_validator(mode="after")
     def _checked(self) -> Self:

@@ -5,10 +5,13 @@ from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import csr_array
+import scipy
 
 from workbench.arrays import Array
 from workbench.scene import AnyReceiver
+
+# Pixels so near to each other's places are the same.
+_SAME = 1e-9
 
 
 def put(
@@ -29,8 +32,12 @@ def put(
     half_u, half_v = half_size * columns, half_size * rows
     (left, right), (top, bottom) = _edges(receiver, half_u, half_v)
     frame = _edges(receiver, *half_extent)
-    down = _overlap(np.linspace(top, bottom, rows + 1), receiver.pixels[1], frame[1])
-    across = _overlap(np.linspace(left, right, columns + 1), receiver.pixels[0], frame[0])
+    n_x, n_y = receiver.pixels
+    ends = ((left, right), (top, bottom)), frame, [(0, n_x), (0, n_y)]
+    if (rows, columns) == (n_y, n_x) and np.allclose(ends[:2], ends[2], rtol=0, atol=_SAME):
+        return np.array(picture, dtype=np.float64)
+    down = _overlap(np.linspace(top, bottom, rows + 1), n_y, frame[1])
+    across = _overlap(np.linspace(left, right, columns + 1), n_x, frame[0])
     light: Array = down @ picture @ across.T  # [n_y, rows] @ [rows, columns] @ [columns, n_x]
     return light
 
@@ -61,14 +68,14 @@ def _edges(receiver: AnyReceiver, half_u: float, half_v: float) -> list[tuple[fl
     return [(left, right), (top, bottom)]
 
 
-def _overlap(edges: Array, count: int, frame: tuple[float, float]) -> csr_array:
+def _overlap(edges: Array, count: int, frame: tuple[float, float]) -> "scipy.sparse.csr_array":
     low, high = max(edges[0], frame[0], 0), min(edges[-1], frame[1], count)
     cuts = np.union1d(np.union1d(edges, np.arange(count + 1)), (low, high))
     cuts = cuts[(cuts >= low) & (cuts <= high)]
     start = cuts[:-1]
     pixels = np.minimum(start.astype(int), count - 1)
     cells = np.minimum(np.searchsorted(edges, start, side="right"), len(edges) - 1) - 1
-    return csr_array((np.diff(cuts), (pixels, cells)), shape=(count, len(edges) - 1))
+    return scipy.sparse.csr_array((np.diff(cuts), (pixels, cells)), shape=(count, len(edges) - 1))
 
 
 def coverage(outline: npt.ArrayLike, receiver: AnyReceiver) -> Array:

@@ -15,7 +15,7 @@ import math
 from typing import Any
 
 import numpy as np
-from scipy.fft import dctn, idctn
+import scipy
 
 from workbench.arrays import Array
 from workbench.compiled import jit
@@ -121,9 +121,9 @@ class Transport:
         """One step of a potential, then the best of the other for it, and of it for that."""
         missing = here - push(there, *mapped(other, *self._weights))
         workers = threads.workers(missing.size)
-        amplitudes = dctn(missing, norm="ortho", workers=workers) / self._waves
+        amplitudes = scipy.fft.dctn(missing, norm="ortho", workers=workers) / self._waves
         amplitudes[0, 0] = 0.0
-        direction = idctn(amplitudes, norm="ortho", workers=workers, overwrite_x=True)
+        direction = scipy.fft.idctn(amplitudes, norm="ortho", workers=workers, overwrite_x=True)
         slope = _product(direction, missing)
         mine = mine + step * direction
         other = c_transform(mine, *self._weights)

@@ -17,7 +17,6 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.fft import dct
 
 from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
@@ -58,7 +57,7 @@ def _fit(alpha: float, half_size: int, eps: float) -> Array:
         return np.zeros((half_size, 4, 0))
     angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, half_size)
-    series = dct(functions, axis=-1) / _SAMPLES
+    series = functions @ np.cos(np.outer(angle, np.arange(_SAMPLES))) * (2 / _SAMPLES)
     series[..., 0] /= 2
     # Slopes may be steep; taps are not above 1.
     scale = np.maximum(1, np.abs(functions).max(axis=(0, 2)))[:, None]

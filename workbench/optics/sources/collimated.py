@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
+import scipy
 import torch
-from scipy.special import erf
 from torch import Tensor
 
 from workbench.arrays import Array
@@ -67,7 +67,7 @@ class CollimatedEmitter(Emitter):
             return shares(self.samples, axis)
         sampled, r = places(self.samples, axis), self.optic.half_width[axis]
         high, low = (
-            erf(math.sqrt(2) * (2 * part - 1) * r / self._waist)
+            scipy.special.erf(math.sqrt(2) * (2 * part - 1) * r / self._waist)
             for part in (sampled.high, sampled.low)
         )
         return np.asarray(counts(self.samples)[axis] * (high - low) / 2)
