@@ -29,8 +29,8 @@ def greville(knots: Array, degree: int) -> Array:
 
     They are means of p consecutive knots (Farin, Curves and Surfaces for CAGD, section 8.6).
     """
-    count = len(knots) - degree - 1
-    return np.array([knots[i + 1 : i + degree + 1].mean() for i in range(count)])
+    means = np.lib.stride_tricks.sliding_window_view(knots[1:-1], degree).mean(axis=1)
+    return np.asarray(means)
 
 
 def insertion_matrix(coarse: Array, fine: Array, degree: int) -> Array:

@@ -13,7 +13,8 @@ from workbench.design.transport.first_design import (
     first_design,
     first_of,
 )
-from workbench.design.transport.one_face import refitted, transport_start
+from workbench.design.transport.one_face import transport_start
+from workbench.design.transport.refit import refitted
 from workbench.optics import ready
 
 __all__ = [

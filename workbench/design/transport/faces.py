@@ -6,9 +6,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 import torch
-from scipy.linalg import eigh
-from scipy.sparse import csr_array
 
 from workbench.arrays import Array
 from workbench.design.limits import HeightLimits, bounded
@@ -19,8 +18,9 @@ from workbench.geometry.basis import clamped_knots, sparse_basis
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import FlatGlass
 from workbench.optics.interfaces import TransmittanceLaw
+from workbench.optics.kernels import threads
 from workbench.optics.path import Path
-from workbench.optics.plan import precision_of
+from workbench.optics.plan import traced_lines
 from workbench.optics.reference import Reference
 from workbench.optics.sources import emitter_of
 from workbench.scene import ExactMethod, PointSource, Scene
@@ -30,11 +30,13 @@ SlopesFor = Callable[[Pair, Pair], Pair]
 
 # Blocks along an axis within which what a net cannot follow cancels out.
 _BLOCKS = 16
+_ALL = slice(None)
 # Light that leaves a face changes little from one of these cells to the next: each stands for so
 # many along an axis.
 _SHARED = 2
-# In half-widths of the element: rays that meet the face so near to the middles of cells are theirs.
-_NEAR = 1e-6
+# In half-widths of the element: rays that meet the face so near to the middles of cells are theirs;
+# so many along an axis show it.
+_NEAR, _FEW_RAYS = 1e-6, 16
 
 
 class SlopeFit:
@@ -89,8 +91,8 @@ class _Axis(NamedTuple):
     """Splines along an axis from 0 to 1."""
 
     # (places, count), basis functions and their derivatives at the places.
-    value: csr_array
-    slope: csr_array
+    value: "scipy.sparse.csr_array"
+    slope: "scipy.sparse.csr_array"
     # (count, count), vectors that make the mass matrix the identity and the stiffness matrix
     # diagonal.
     modes: Array
@@ -104,7 +106,7 @@ def _axis(count: int, degree: int, places: int) -> _Axis:
     mass = (value.T @ value).toarray()
     # A trace of ridge: with few places a mass matrix need not be definite.
     mass += 1e-12 * np.trace(mass) / count * np.eye(count)
-    stretch, modes = eigh((slope.T @ slope).toarray(), mass)
+    stretch, modes = scipy.linalg.eigh((slope.T @ slope).toarray(), mass)
     return _Axis(value, slope, modes, stretch)
 
 
@@ -166,20 +168,30 @@ class FaceLight:
         None where some of it lands nowhere, or where rays do not meet the face in the middles of
         cells.
         """
-        cells = len(self.x), self.y.size
-        kind = precision_of(self._scene)
-        reference = Reference(Path.of(self._scene, self._net, kind, samples=cells))
-        with torch.no_grad():
-            face = torch.tensor(heights, dtype=kind)
-            column, row, rays, *_ = reference.arrival({self._face: face})
-        at, middles = rays.position[:2], (self.x, self.y)
-        away = [np.abs(found.numpy() - m).max() for found, m in zip(at, middles, strict=True)]
-        if max(away) > _NEAR * max(self._scene.optic.half_width) or not (
-            column.isfinite().all() and row.isfinite().all()
-        ):
+        if not self._meets_middles(heights):
             return None
-        u, v = self._scene.receiver.from_pixels(column.double().numpy(), row.double().numpy())
+        cells = len(self.x), self.y.size
+        lines = traced_lines(self._scene, self._net, None, True, cells, (False, False))
+        strongest = max(lines, key=lambda line: line.part)
+        with torch.no_grad():
+            hits = strongest.tracer.nodes({self._face: torch.tensor(heights)}).hits
+        column, row = hits[:2].double().numpy().transpose(0, 2, 1)
+        if not (np.isfinite(column).all() and np.isfinite(row).all()):
+            return None
+        u, v = self._scene.receiver.from_pixels(column, row)
         return u, v
+
+    def _meets_middles(self, heights: Array) -> bool:
+        """Whether rays of few cells meet the face in the middles of these."""
+        few = _FEW_RAYS, _FEW_RAYS
+        reference = Reference(Path.of(self._scene, self._net, torch.float64, samples=few))
+        with torch.no_grad():
+            rays = reference.arrival({self._face: torch.tensor(heights)}).rays
+        middle = 2 * (np.arange(_FEW_RAYS) + 0.5) / _FEW_RAYS - 1
+        r_x, r_y = self._scene.optic.half_width
+        x, y = (place.numpy() for place in rays.position[:2])
+        away = np.abs(x - r_x * middle[:, None]).max(), np.abs(y - r_y * middle).max()
+        return bool(max(away) <= _NEAR * max(r_x, r_y))
 
     def _brighter(self, z: Array) -> Array:
         """Light that enters on its way to each place, over that of the point in the middle."""
@@ -189,17 +201,18 @@ class FaceLight:
         given, even = (o.density(x, y, self._entrance_z) for o in (self._given, self._sharp))
         return given / even
 
-    def direction(self, z: Array) -> Vector:
-        """Unit vectors at places of the face with heights z."""
+    def direction(self, z: Array, lines: slice = _ALL) -> Vector:
+        """Unit vectors at places of the face with heights z, in some lines of cells along x."""
         if self._along is not None:
             d_x, d_y, d_z = (np.full_like(z, part) for part in self._along)
             return d_x, d_y, d_z
+        away_x = self._away_x[lines]
         if self._glass is None:
-            return unit(self._away_x, self._away_y, z - self._from_z)
+            return unit(away_x, self._away_y, z - self._from_z)
         depth = torch.as_tensor((z - self._entrance_z).clip(0))
-        radius2 = torch.as_tensor(self._away_x**2 + self._away_y**2)
+        radius2 = torch.as_tensor(away_x**2 + self._away_y**2)
         slope = self._glass.slope(radius2, depth).numpy()
-        return unit(self._away_x * slope, self._away_y * slope, np.ones_like(z))
+        return unit(away_x * slope, self._away_y * slope, np.ones_like(z))
 
 
 def unit(x: Array, y: Array, z: Array) -> Vector:
@@ -286,9 +299,20 @@ class Faces:
 
     def _within_reach(self, to: Pair, heights: Array) -> Pair:
         """Slopes for light that should go to places, or as near to them as a face can send it."""
-        z = self._fit.surface(heights)
-        coming = self.light.direction(z)
-        going = self._towards((self.light.x, self.light.y, z), to)
+        z, (u, v) = self._fit.surface(heights), to
+        slope_x, slope_y = np.empty_like(z), np.empty_like(z)
+
+        def work(begin: int, end: int) -> None:
+            lines = slice(begin, end)
+            found = self._slopes_within_reach(z[lines], (u[lines], v[lines]), lines)
+            slope_x[lines], slope_y[lines] = found
+
+        threads.run_lines(work, len(z), z.size)
+        return slope_x, slope_y
+
+    def _slopes_within_reach(self, z: Array, to: Pair, lines: slice) -> Pair:
+        coming = self.light.direction(z, lines)
+        going = self._towards((self.light.x[lines], self.light.y, z), to)
         index = self.scene.optic.index
         # Of a source that is seen at a slant less counts, and from farther away.
         spread = self._half_angle * np.maximum(1 - index**2 * (1 - coming[2] ** 2), 0.0) / index

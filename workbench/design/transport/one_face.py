@@ -18,18 +18,15 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple, Self
 
-import numpy as np
-
 from workbench.arrays import Array
 from workbench.design.images import WideImage
 from workbench.design.levels import COARSE, cells_of
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
-from workbench.design.transport.cells import Pair, between
 from workbench.design.transport.chart import PER_CONTROL_POINT, rough_lens
-from workbench.design.transport.faces import FaceLight, Faces, SlopeFit
+from workbench.design.transport.faces import Faces
 from workbench.design.transport.view import ReceiverView
-from workbench.geometry.surface import ControlNet, nets_of
+from workbench.geometry.surface import ControlNet
 from workbench.optics.account import UnbalancedAccount
 from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
@@ -46,17 +43,6 @@ _FITS, _NEAR_FITS = 1, 2
 # rounds follow that bring light nearer, and the better one of both lenses is taken: each may be
 # much better than the other.
 FEW_ROUNDS, _GOOD = 2, 0.1
-
-# Cells along an axis for each control point: one, and so many more for each degree; and at least. A
-# flame's lens of 480 control points of degree 3 is 1.63 % off with 1.25 to 1.8 of them, for 0.26 to
-# 0.60 s of the processor. With fewer, slopes in cells do not determine a spline: near its ends it
-# oscillates, the more so the higher its degree.
-_PER_DEGREE, _FEWEST_CELLS = 0.15, 256
-# A fit takes slopes where the former face was. How far it moves is smooth: it is found before on a
-# net of the first number of control points along an axis, in the second number of fits. A flame
-# behind a screen 5 % farther is 1.22 % off with it, as after two fits of all control points, and
-# 1.50 % without it.
-_ROUGH, _ROUGH_MOVES = 64, 2
 
 
 def transport_start(scene: Scene, target: Array) -> Array | None:
@@ -129,58 +115,3 @@ def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> fl
     image = WideImage(scene, target, cells_of(COARSE, scene), scene.receiver.half_extent)
     near = {face: limits[face].nearest(z) for face, z in heights.items()}
     return relative_error(image.step(tensors_of(near, scene)).state, target)
-
-
-def refitted(before: Scene, heights: Array, scene: Scene) -> Array | None:
-    """Control heights that send light where those of another scene send it.
-
-    No transport is needed, which takes most of the time of a first design. With the index of a
-    flame's lens 2 % higher or its screen 10 % farther, the face is found in 0.2 s, and its image is
-    1.5 to 2.1 % off where it was 1.5 % off before; by transport it takes 1 to 2 s and begins at 6
-    to 8 %.
-
-    `before`: what a lens or mirror was designed for; `heights` (n_u, n_v): control heights of its
-    only freeform face, scene units; `scene`: what it is to be good for: source, optic or receiver
-    may differ, as long as the target is the same in parts of the receiver. Returns (n_u, n_v):
-    heights, beyond their limits where these are too narrow. None if the tasks differ in more, have
-    several images or faces, or light of the former face does not all come to the plane of the
-    receiver.
-    """
-    if not _alike(before, scene):
-        return None
-    net, former_net = ControlNet.of(scene.optic), ControlNet.of(before.optic)
-    per_control_point = 1 + _PER_DEGREE * max(net.degree)
-    cells = max(math.ceil(per_control_point * max(net.shape)), _FEWEST_CELLS)
-    former = FaceLight(before, former_net, SlopeFit(former_net, cells), cells).goes_to(heights)
-    if former is None:
-        return None
-    (n_x, n_y), (m_x, m_y) = scene.receiver.pixels, before.receiver.pixels
-    column, row = before.receiver.to_pixels(*former)
-    to = scene.receiver.from_pixels(column * (n_x / m_x), row * (n_y / m_y))
-    found = Faces(scene, net, cells).fitted(to, _raised(scene, net, to, heights), 1)
-    return found if np.isfinite(found).all() else None
-
-
-def _raised(scene: Scene, net: ControlNet, to: Pair, heights: Array) -> Array:
-    """Heights moved to about where those of a face are that sends light to places."""
-    n_u, n_v = (min(count, _ROUGH) for count in net.shape)
-    few = ControlNet.of(scene.optic.shaped(control_points=(n_u, n_v)))
-    middles = (np.arange(_FEWEST_CELLS) + 0.5) * (len(to[0]) / _FEWEST_CELLS) - 0.5
-    at_x, at_y = np.meshgrid(middles, middles, indexing="ij")
-    u, v = (between(each, (at_x, at_y)) for each in to)
-    rough = net.carry(heights, few)
-    found = Faces(scene, few, _FEWEST_CELLS).fitted((u, v), rough, _ROUGH_MOVES)
-    return np.asarray(heights + few.carry(found - rough, net))
-
-
-def _alike(before: Scene, scene: Scene) -> bool:
-    """Whether the same places on a receiver are meant, and a net has the same numbers."""
-    first, second = before.optic, scene.optic
-    return (
-        first.called == second.called
-        and first.net_shape == second.net_shape
-        and list(nets_of(before)) == list(nets_of(scene)) == [second.designed_face]
-        and type(before.receiver) is type(scene.receiver)
-        and before.unit == scene.unit
-        and len(before.images) == len(scene.images) == 1
-    )
