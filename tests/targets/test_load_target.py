@@ -40,6 +40,14 @@ def test_orientation_row_0_stays_on_top_and_column_0_on_the_left(load):
     assert light[int(row), int(column)] == 0
 
 
+def test_a_picture_of_the_pixels_is_taken_as_it_is(load, rng):
+    picture = rng.random((20, 16))
+    light = load(picture, (16, 20), (4.0, 5.0))
+    np.testing.assert_array_equal(light, picture / picture.max())
+    padded = load(picture, (16, 20), (4.0, 5.0), padding=0.1)
+    assert padded.sum() < light.sum() and not padded[0].any()
+
+
 @pytest.mark.parametrize(
     ("shape", "pixels", "half_width", "bright"),
     [
