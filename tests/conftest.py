@@ -57,9 +57,8 @@ def pytest_collection():
     try:
         return (yield)
     finally:
-        gc.enable()
-        gc.collect()
         gc.freeze()
+        gc.enable()
 
 
 @pytest.hookimpl(trylast=True)

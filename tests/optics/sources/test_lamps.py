@@ -15,6 +15,7 @@ from workbench.measured.lamps import intensity_of
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
+from workbench.optics.sources.patterns import tabulated
 from workbench.scene import Scene
 
 
@@ -53,6 +54,21 @@ def test_the_lamp_stays_where_it_is_while_the_lens_is_turned(scene):
     assert rays.sum() == pytest.approx(by_cells.sum(), rel=0.02)
     straight = validate(scene, np.ones((16, 16)), lens, 200_000)
     assert relative_l2(by_cells, rays) < relative_l2(by_cells, straight.irradiance)
+
+
+def test_plans_of_a_lamp_share_its_table(make_scene, tmp_path):
+    lamp = crooked_lamp(tmp_path)
+    scene = make_scene({"source": lamp})
+    turned = make_scene({"source": lamp | {"rotation": [0.0, 0.0, 0.0]}})
+
+    def table(scene, z):
+        origins = emitter_of(scene.source, scene.optic).origins
+        return tabulated(origins, (1.0, 1.0), z, None).values
+
+    first = table(scene, 0.0)
+    assert table(scene, 0.0) is first
+    assert not np.allclose(table(scene, 0.5), first)
+    assert not np.allclose(table(turned, 0.0), first)
 
 
 @pytest.mark.parametrize("kind", ["ray file", "photometric"])
