@@ -127,7 +127,7 @@ class AreaEmitter(ExtendedEmitter):
         flux = places.share / (math.pi if lambertian else 2 * math.pi)
         if self._source.turn is None:
             return Origins(points, False, flux, lambertian)
-        pattern = TurnedPattern(self._source.facing, lambertian)
+        pattern = TurnedPattern(tuple(self._source.facing.tolist()), lambertian)
         return Origins(points, False, flux, pattern=pattern)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:

@@ -1,7 +1,7 @@
 """Origins of light, points or directions: where they lie, and what each sends to the first face."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from functools import lru_cache
 from typing import Literal, NamedTuple, Protocol
 
@@ -132,7 +132,7 @@ class EnteringLight(NamedTuple):
     density: Array  # flux per area of the face
 
 
-class Pattern(Protocol):
+class Pattern(Hashable, Protocol):
     """How the intensity of points depends on direction."""
 
     def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
@@ -151,7 +151,7 @@ class Pattern(Protocol):
 class TurnedPattern(NamedTuple):
     """Light of faces that are turned away from +z; a `Pattern`."""
 
-    facing: Array  # (3,), unit vector across the face, to the side that shines
+    facing: tuple[float, ...]  # (3,), unit vector across the face, to the side that shines
     # Whether intensity falls with the cosine to it; else it is even before the face.
     lambertian: bool
 

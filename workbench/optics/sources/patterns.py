@@ -5,6 +5,7 @@ is the mean over what a sample there stands for: the sum over samples is then th
 """
 
 import math
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from torch import Tensor
 
 from workbench.arrays import AnyArray, Array
 from workbench.optics.samples import Places
-from workbench.optics.sources.origins import Origins, bulk_of
+from workbench.optics.sources.origins import Origins, Pattern, bulk_of
 
 # Places along an axis at which patterns are looked up: of all origins together, and of each at
 # least and at most.
@@ -92,14 +93,10 @@ def tabulated(
     elif count == 1 and (reach := _STEEPEST * (z - origins.places[0, 2])) < max(half_width):
         n, (middle, half) = _OF_NEAR, _around(origins.places[0], half_width, reach)
     across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
-    place = origins.places[:, None, None]
-    x, y = across[:, None] - place[..., 0], up - place[..., 1]
-    away = np.broadcast_arrays(x, y, z - place[..., 2])
-    distance = np.sqrt(np.square(away).sum(axis=0))
-    direction = (away[0] / distance, away[1] / distance, away[2] / distance)
-    values = origins.pattern.at(np.arange(count)[:, None, None], direction)
     if samples is None:
-        return Patterns(values, middle, half)
+        places = tuple(map(tuple, origins.places.tolist()))
+        return Patterns(_known(origins.pattern, places, middle, half, z, n), middle, half)
+    values, distance = _seen(origins.pattern, origins.places, across, up, z)
     # Flux per area is the intensity times this.
     spread = distance**-3
     values = values * spread
@@ -108,6 +105,33 @@ def tabulated(
         low, high = (np.interp(at, part, end) for end in ends)
         values = _mean_between(values, at, low, high, axis)
     return Patterns(values / spread, middle, half)
+
+
+# Asked for by each plan of a run: a table of one near point takes half a second.
+@lru_cache(maxsize=2)
+def _known(
+    pattern: Pattern,
+    places: tuple[tuple[float, ...], ...],
+    middle: tuple[float, float],
+    half: tuple[float, float],
+    z: float,
+    n: int,
+) -> Array:
+    """Intensities towards n × n even places of a rectangle."""
+    across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
+    return _seen(pattern, np.array(places), across, up, z)[0]
+
+
+def _seen(
+    pattern: Pattern, places: Array, across: Array, up: Array, z: float
+) -> tuple[Array, Array]:
+    """Intensities towards places of a rectangle, and distances of these."""
+    place = places[:, None, None]
+    x, y = across[:, None] - place[..., 0], up - place[..., 1]
+    away = np.broadcast_arrays(x, y, z - place[..., 2])
+    distance = np.sqrt(np.square(away).sum(axis=0))
+    direction = (away[0] / distance, away[1] / distance, away[2] / distance)
+    return pattern.at(np.arange(len(places))[:, None, None], direction), distance
 
 
 def _around(

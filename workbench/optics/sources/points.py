@@ -2,6 +2,7 @@
 
 import math
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -36,7 +37,7 @@ class PointEmitter(Emitter):
         intensity = np.full(len(points), intensity_of(self.source, self.optic))
         lambertian = self.source.emission == "lambertian"
         if lambertian and self.source.turn is not None:
-            pattern = TurnedPattern(self.source.facing, lambertian)
+            pattern = TurnedPattern(tuple(self.source.facing.tolist()), lambertian)
             return Origins(points, False, intensity, pattern=pattern)
         return Origins(points, False, intensity, lambertian)
 
@@ -134,19 +135,17 @@ class RayFileEmitter(Emitter):
         return RayBundle(start, vector(lit.direction), flux, torch.ones_like(lights))
 
 
-class TurnedTable:
-    """Intensity of a lamp that is turned; a `Pattern`.
+class TurnedTable(NamedTuple):
+    """Intensity of a lamp that is turned; a `Pattern`."""
 
-    `table`: in the directions of the file; `matrix` (3, 3): turns directions of the file into those
-    of the scene.
-    """
-
-    def __init__(self, table: IntensityTable, matrix: Array) -> None:
-        self._table, self._matrix = table, matrix
+    table: IntensityTable  # in the directions of the file
+    # (9,), row after row, turns directions of the file into those of the scene.
+    matrix: tuple[float, ...]
 
     def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
         """Intensity, cd; see `Pattern.at`."""
-        return self._table.at(np.stack(np.broadcast_arrays(*direction), axis=-1) @ self._matrix)
+        matrix = np.reshape(self.matrix, (3, 3))
+        return self.table.at(np.stack(np.broadcast_arrays(*direction), axis=-1) @ matrix)
 
 
 def light_of_table(source: PhotometricSource) -> EmittedLight:
@@ -180,7 +179,7 @@ class PhotometricEmitter(Emitter):
     def origins(self) -> Origins:
         """See `Emitter`."""
         source, table = self._source, table_of(self._source)
-        pattern = TurnedTable(table, source.matrix)
+        pattern = TurnedTable(table, tuple(source.matrix.ravel().tolist()))
         return Origins(
             np.array([source.position]),
             False,
