@@ -1,19 +1,11 @@
 import ctypes
 import os
 import sys
-import threading
-from importlib.machinery import ModuleSpec
 from pathlib import Path
 
 import pytest
 
-from workbench import process
-from workbench.process import (
-    calm_library_threads,
-    link_torch,
-    release_freed_memory,
-    usable_threads,
-)
+from workbench.process import calm_library_threads, release_freed_memory, usable_threads
 
 
 def resident():
@@ -72,20 +64,3 @@ def test_variables_limit_the_threads_and_the_cores_otherwise(monkeypatch, given,
         monkeypatch.setenv(name, value)
     calm_library_threads()
     assert usable_threads() == threads
-
-
-@pytest.mark.parametrize("content", [b"no library", None])
-def test_torch_without_a_usable_library_is_left_to_its_import(monkeypatch, tmp_path, content):
-    torch = ModuleSpec("torch", None, is_package=True)
-    torch.submodule_search_locations = [str(tmp_path)]
-    (tmp_path / "lib").mkdir()
-    if content is not None:
-        (tmp_path / "lib" / "libtorch_cpu.so").write_bytes(content)
-    asked, failures, before = [], [], set(threading.enumerate())
-    monkeypatch.setattr(process, "find_spec", lambda name: asked.append(name) or torch)
-    monkeypatch.setattr(threading, "excepthook", failures.append)
-    link_torch()
-    for thread in set(threading.enumerate()) - before:
-        thread.join()
-    assert asked == ["torch"]
-    assert not failures
