@@ -59,6 +59,19 @@ def test_light_ends_at_a_straight_rim(at, grids, draw):
     assert (image - wanted).abs().max() < 1e-12
 
 
+@EITHER
+@pytest.mark.parametrize("width", [2.2, 2.6, 3.5])
+def test_as_much_light_comes_through_a_slit_as_fits_in(width, draw):
+    # Distances grow towards the middle: from one side alone they would go on beyond the other.
+    landed = []
+    for right in np.linspace(width + 0.5, 5.5, 40):
+        nodes, splits = lit()
+        u = nodes[0] - 1
+        within = torch.minimum(u - (right - width), right - u)
+        landed.append(whole(*cut(nodes, within), splits, draw)[1])
+    assert np.mean(landed) == pytest.approx(5 * width, rel=0.05)
+
+
 def test_gradients_are_those_of_central_differences(rng):
     nodes, splits = lit(shear=0.3)
     rim_distance = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
