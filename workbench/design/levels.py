@@ -244,8 +244,9 @@ def source_cells(scene: Scene, mirrored: tuple[bool, bool] = (False, False)) -> 
 
     Returns None where the source is infinitely far, is made of points, or stands in a file.
     """
+    scene = scene.alone
     source, optic, receiver = scene.source, scene.optic, scene.receiver
-    if scene.is_train or source.place is None or not source.continuous or source.light_files:
+    if source.place is None or not source.continuous or source.light_files:
         return None
     finest = np.max([net.shape for net in freeform_nets(optic).values()], axis=0)
     m_x, m_y = (

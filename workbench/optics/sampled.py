@@ -19,7 +19,13 @@ from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
 from workbench.messages import Message
-from workbench.optics.fixed_faces import Followed, follow, pass_face, through_aperture
+from workbench.optics.fixed_faces import (
+    EvenDirections,
+    Followed,
+    follow,
+    pass_face,
+    through_aperture,
+)
 from workbench.optics.glass_face import Glass, GlassFace
 from workbench.optics.interfaces import Refraction
 from workbench.optics.lit_face import LitFace
@@ -53,6 +59,8 @@ class SampledTrain(NamedTuple):
     outline: Outline  # of the aperture; of a sampled face, too
     front_z: float  # z of the source where that is
     datum: float  # z of the source from which the path counts z
+    # Samples of an aperture that are even in directions; None where they are in places.
+    directions: EvenDirections | None = None
 
     @classmethod
     def of(cls, path: Path) -> "SampledTrain | None":
@@ -82,6 +90,11 @@ class SampledTrain(NamedTuple):
             before, changes = path.changes_before, path.changes
             train = train._replace(before=fixed, first=None, rest=path.shaped)
             train = train._replace(changes_before=before, changes=changes)
+            points = not origins.infinite and origins.pattern is None
+            if points and len(origins.places) > 1:
+                near = origins._replace(places=origins.places - [0.0, 0.0, path.datum])
+                way = path.front_z - path.datum, fixed, before, surface.z
+                train = train._replace(directions=EvenDirections.of(near, path.outline, *way))
         return train
 
     @property
@@ -102,7 +115,10 @@ class SampledTrain(NamedTuple):
     @property
     def lines(self) -> tuple[Places, Places]:
         """Samples along x and y, and what each stands for, as parts of the way across."""
-        return places(self.samples, 0), places(self.samples, 1)
+        samples = self.samples
+        if self.directions is not None and isinstance(samples, Corners):
+            samples = Corners(*samples[:5])  # crowds are of places
+        return places(samples, 0), places(samples, 1)
 
     @property
     def areas(self) -> Array:
@@ -124,11 +140,15 @@ class SampledTrain(NamedTuple):
 
         `copies`: how many mirror images of the origins make all light.
         """
-        rays = through_aperture(self.origins, self.lines, self.outline, self.front_z)
+        given, rim = (self.origins, self.lines, self.outline, self.front_z), None
+        if self.directions is not None:
+            rays, rim = self.directions.rays(*given)
+        else:
+            rays = through_aperture(*given)
         x, y, z = rays.position
         rays = rays._replace(position=(x, y, z - self.datum))
-        missed = (*self.before, *self.rest)[0].missed
-        return follow(rays, self.before, self.changes_before, (self.outline, missed), copies)
+        aperture = self.outline, (*self.before, *self.rest)[0].missed
+        return follow(rays, self.before, self.changes_before, aperture, copies, rim)
 
     def patterns(self) -> Patterns | None:
         """Intensities of each origin over its flux; see `tabulated`.

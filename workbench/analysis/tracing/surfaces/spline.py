@@ -148,7 +148,8 @@ class LaterFace(SplineFace):
         up = rays.direction[:, 2:]
         up = np.where(up > _LEVEL, up, np.inf)  # level rays never come to the face
         ahead = (self._lowest - rays.position[:, 2:]).clip(min=0) / up
-        begin = rays.position + ahead * rays.direction
+        with np.errstate(invalid="ignore"):  # lost rays may have no place
+            begin = rays.position + ahead * rays.direction
         return self._inside(super().meet(rays._replace(position=begin)))
 
 
