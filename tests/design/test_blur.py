@@ -170,8 +170,9 @@ def heights(sun, rng):
     return {"lens.back": torch.as_tensor(sun.optic.base.height + 0.01 * rng.random(shape))}
 
 
-def blurred(scene, cells=(256, 256)):
-    return plan_of(scene, cells, blur=LensBlur(Blur.of(scene, scene.optic.base.height)))
+def blurred(scene, cells=(256, 256), rays=False):
+    blur = LensBlur(Blur.of(scene, scene.optic.base.height))
+    return plan_of(scene, cells, blur=blur, rays=rays)
 
 
 def test_blurred_image_is_the_image_of_many_origins(sun, heights):
@@ -191,11 +192,20 @@ def test_account_of_a_blurred_image_adds_up_and_counts_its_light(make_scene, hei
     assert account.lost["off_screen"] > 1e-4
 
 
+def test_rays_make_the_blurred_image_of_beams_and_its_account(sun, heights):
+    beams, rays = (blurred(sun, rays=each).trace(heights, (3, 4)) for each in (False, True))
+    assert (rays.flux - beams.flux).norm() < 0.005 * beams.flux.norm()
+    assert rays.account.on_screen == pytest.approx(beams.account.on_screen, abs=1e-3)
+    account = rays.account
+    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)
+
+
+@pytest.mark.parametrize("rays", [False, True])
 @pytest.mark.parametrize("changing", [False, True])
-def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, changing):
+def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, changing, rays):
     heights = lens_of(sun, 0.1, 0.004, rng)
     blur = lens_blur_of(sun, heights)
-    plan = plan_of(sun, (64, 64), blur=blur if changing else LensBlur(blur.mean))
+    plan = plan_of(sun, (64, 64), blur=blur if changing else LensBlur(blur.mean), rays=rays)
     way, weight = (torch.as_tensor(rng.random(shape) - 0.5) for shape in ((12, 12), (40, 50)))
 
     def value(heights):

@@ -25,13 +25,14 @@ from workbench.scene import Scene, WantedImage
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first design falls, within these.
 MARGINS = 0.05, 1.0
-# Width of a blur, in pixels, that damps waves of a face as pixels do: random waves of a photograph's
-# lens change its pixels by the square of their periods up to half of them along the image, and by
-# the same from there on.
+# Width of a blur, in pixels, that damps waves of a face as pixels do. Random waves of a photograph's
+# lens change its 256 x 256 pixels by the square of their periods up to some 60 of them, and by
+# nearly the same from there on.
 _PIXEL = 1.9
 # Time of a cell drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
-# trace, image and gradients, with one freeform face and with two, of which the trace takes most.
-_OF_A_BOX = 0.3, 0.75
+# trace, image and gradients, with one freeform face and with two, of which the trace takes most;
+# and that of a ray.
+_OF_A_BOX, _OF_A_RAY = (0.3, 0.75), 0.15
 
 
 class AskedLight(NamedTuple):
@@ -51,7 +52,8 @@ class WideImage:
     themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
     that is nearly the same everywhere: light of its middle is traced then, and blurred;
     `asked_light`: light that the image shall have. By default what arrives, however much that is;
-    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
+    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``;
+    `rays`: whether light that the source blurs is drawn as rays.
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
     is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
@@ -69,13 +71,14 @@ class WideImage:
         blur: LensBlur | None = None,
         asked_light: AskedLight | None = None,
         scattering: ImageBlur | None = None,
+        rays: bool = False,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        self._plan = plan_of(scene, cells, mirrored, blur, scattering)
+        self._plan = plan_of(scene, cells, mirrored, blur, scattering, rays)
         self._margin, self._asked_light = (m_x, m_y), asked_light
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
@@ -88,7 +91,7 @@ class WideImage:
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
         boxes = blur is None and scene.source.continuous and corners.origins > 1
-        each = 1.0
+        each = _OF_A_RAY if rays else 1.0
         if boxes and corners.of_source is None:
             each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1]
         self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves

@@ -121,7 +121,8 @@ def _of_image(scene: Scene) -> float:
     even = not blur.within_a_pixel and one_over_the_lens(scene)
     by_origins = _of_nodes(scene, cells_of(FINE, scene))
     if even:
-        return max(by_origins, _of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts))
+        middle = cells_of(FINE, scene, sharp=True, rays=True)
+        return max(by_origins, _of_nodes(scene, middle, blur.parts))
     between = source_cells(scene)
     return by_origins if between is None else max(by_origins, _of_nodes(scene, between))
 
