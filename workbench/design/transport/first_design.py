@@ -33,9 +33,8 @@ from workbench.messages import Message
 from workbench.powers import written
 from workbench.scene import ConicFace, PlaneFace, Scene, WantedImage
 
-# Parts of a pixel along each axis, at most, for the closest image: a photograph in the sun, which
-# blurs it over 5.9 pixels, ends at 11.44 % so and at 11.51 % with thirds, whose light is in spots
-# that a net does not form.
+# Parts of a pixel along each axis, at most, for the closest image: light in thirds of pixels is in
+# spots that a net does not form.
 _PARTS = 2
 # Control points along an axis, at most, of a lens that only shows where its face is.
 _ROUGH = 64
@@ -222,9 +221,7 @@ def first_design(
     if face_z is None:
         return None
     blur = Blur.of(scene, face_z).seen_in(scene.receiver.pixels)
-    scene, target = _sharpened(
-        scene, target, blur.spread(int(__import__("os").environ.get("PARTS", blur.parts)))
-    )
+    scene, target = _sharpened(scene, target, blur.spread(min(blur.parts, _PARTS)))
     sharp = scene.model_copy(update={"source": scene.source.sharp})
     return first_of(sharp, target, fixed, quick=True)
 
