@@ -7,13 +7,8 @@ import pytest
 import torch
 
 from workbench.analysis.validation import validate
-from workbench.design.lens_blur import (
-    BlurChange,
-    LensBlur,
-    LightBlurring,
-    lens_blur_of,
-    plan_of,
-)
+from workbench.design.fitted_blur import lens_blur_of
+from workbench.design.lens_blur import BlurChange, LensBlur, LightBlurring, plan_of
 from workbench.design.transport import first_design, transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound

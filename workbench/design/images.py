@@ -25,9 +25,9 @@ from workbench.scene import Scene, WantedImage
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first design falls, within these.
 MARGINS = 0.05, 1.0
-# Width of a blur, in pixels, that damps waves of a face as pixels do. Random waves of a photograph's
-# lens change its 256 x 256 pixels by the square of their periods up to some 60 of them, and by
-# nearly the same from there on.
+# Width of a blur, in pixels, that damps waves of a face as pixels do. Random waves of a lens for a
+# photograph change its 256 x 256 pixels by the square of their periods up to some 60 of them, and
+# by nearly the same from there on.
 _PIXEL = 1.9
 # Time of a cell drawn as a box, see `workbench.optics.images.beams`, over that of a beam: of
 # trace, image and gradients, with one freeform face and with two, of which the trace takes most;

@@ -19,22 +19,20 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.arrays import Array
-from workbench.extended.blur import Blur, changes_at, one_over_the_lens
-from workbench.extended.blurring import ImageBlur, convolved_in_place, powers
-from workbench.extended.scattering import Directions
+from workbench.extended.blur import Blur, changes_at
+from workbench.extended.blurring import ImageBlur, powers
 from workbench.measured.lamps import of_known_size
 from workbench.messages import Message
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
-from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan, precision_of
 from workbench.optics.samples import Corners
-from workbench.scene import GaussianFilter, Scene, Screen
+from workbench.scene import GaussianFilter, Scene
 
 # Places of the lens that are looked at, and cells of the source: its middle and its rim.
 _PLACES, _RIM = (96, 96), (2, 2)
-_DEGREE = 3  # of polynomials
+DEGREE = 3  # of polynomials
 # Nearly all light lands within what polynomials are fitted to, or it is a bit beyond the receiver:
 # rays that hardly leave the lens land very far out. Farther out blurs are as at that border.
 _NEARLY_ALL, _BEYOND = 0.999, 1.25
@@ -46,20 +44,6 @@ _LEFT = 0.5
 _FILTER = GaussianFilter(size=(3, 3), alpha=1.685)
 # A uniform blur of this width or more, in pixels, makes light of rays as even as that of beams.
 _EVEN_RAYS = 2.0
-# Rays that sample the directions of light at a receiver.
-_RAYS = 48, 48
-# Fewer rays are not enough. Those that come to the plane farther out, in half-widths of the screen,
-# are left out; beyond nearly all of the others, directions are as at that border.
-_FEWEST, _NEAR_SCREEN, _NEARLY_ALL_RAYS = 100, 2.0, (0.002, 0.998)
-# Cells along an axis of each of many origins, and of the middle of the source, that show how it is
-# blurred and whether that is the same all over a lens: as many, for light is spread over them too.
-# Where it differs, as many cells as control points decide: a designed face of 384² seems 5.2 %
-# uneven with 192 cells, and is 1.4 % with 384, of 24 to 96 origins. And the greatest part of the
-# image by which it may differ.
-_LOOKS, _EVEN = ((192, 96), (384, 32)), 0.03
-# Its widths over those behind a plate: steep faces and long ways to the rim of the receiver make it
-# wider. Images change as their difference over a step does, not farther than some steps.
-_MIDDLE, _STEP, _FARTHEST = 1.01, 0.03, 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,12 +77,12 @@ class BlurChange:
         if not inside.any():
             return None
         weight = np.sqrt(spots.flux[inside])[:, None]
-        terms = weight * powers(x[inside] / far_x, y[inside] / far_y, _DEGREE)
+        terms = weight * powers(x[inside] / far_x, y[inside] / far_y, DEGREE)
         found = weight * _differences(spots.spread[..., inside], spots.flux[inside]).T
         factors = np.linalg.lstsq(terms, found)[0]
         if np.square(found - terms @ factors).sum() >= _LEFT * np.square(found).sum():
             return None
-        return cls(factors.T.reshape(3, _DEGREE + 1, _DEGREE + 1), (far_x, far_y))
+        return cls(factors.T.reshape(3, DEGREE + 1, DEGREE + 1), (far_x, far_y))
 
 
 @dataclass(frozen=True, eq=False)
@@ -322,94 +306,3 @@ def plan_of(
 def _finer(scene: Scene, parts: float) -> Scene:
     n_x, n_y = (max(round(parts * n), 1) for n in scene.receiver.pixels)
     return scene.with_receiver(scene.receiver.model_copy(update={"pixels": (n_x, n_y)}))
-
-
-def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Directions | None:
-    """Mean directions in which light of a lens comes to places of a plane.
-
-    None where no polynomials are needed, or too few rays come to the plane.
-    """
-    diffuser, screen = scene.diffuser, scene.receiver
-    about_ray = diffuser is not None and diffuser.scatter.about_ray
-    if not about_ray or not isinstance(screen, Screen):
-        return None
-    found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
-    paths = ray_paths(scene, found, _RAYS)
-    right, up, normal = screen.sides
-    start, end = paths.points[:, -2], paths.points[:, -1]
-    ahead = np.abs((end - start) @ normal)
-    place = (end - np.array(screen.position)) @ np.stack([right, up], axis=1) / screen.half_width
-    near = (paths.weight > 0) & (ahead > 0) & (np.abs(place) < _NEAR_SCREEN).all(axis=1)
-    if np.count_nonzero(near) < _FEWEST:
-        return None
-    place, weight = place[near], np.sqrt(paths.weight[near])[:, None]
-    slopes = (end - start)[near] / ahead[near, None]
-    terms = weight * powers(place[:, 0], place[:, 1], _DEGREE)
-    factors = np.linalg.lstsq(terms, weight * slopes)[0]
-    low, high = np.quantile(place, _NEARLY_ALL_RAYS, axis=0)
-
-    def directions(u: Array, v: Array) -> Array:
-        lit = np.clip(np.stack([u, v], axis=-1) / screen.half_width, low, high)
-        found = powers(lit[:, 0], lit[:, 1], _DEGREE) @ factors
-        return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True))
-
-    return directions
-
-
-def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None:
-    """What the parts of a lens make of a source of some size; None where they differ too much.
-
-    All origins are traced once, and compared with the light of the middle of the source, blurred by
-    different widths. The width behind a plate is short of that behind steep faces: by 2 % for a
-    photograph in the sun, of which a run then saw 1.9 % in place of 2.2 % as its error. How the
-    blur differs from place to place of the image comes from single rays.
-
-    `heights` (n_u, n_v): control heights of a lens like those to come.
-    """
-    if not one_over_the_lens(scene):
-        return None
-    blur = Blur.of(scene, heights[scene.optic.designed_face].mean().item())
-    if blur.seen_in(scene.receiver.pixels) != blur:
-        return None
-    change = BlurChange.of(scene, heights)
-    for cells, origins in _LOOKS:
-        found = _fitted(scene, heights, LensBlur(blur, change), cells, origins)
-        if found is not None or cells >= max(scene.optic.net_shape):
-            return found
-    return None
-
-
-def _fitted(
-    scene: Scene, heights: Mapping[str, Tensor], given: LensBlur, count: int, origins: int
-) -> LensBlur | None:
-    """A blur with the widths that a lens makes; see `lens_blur_of`."""
-    blur, cells = given.mean, (count, count)
-    margin = blur.scaled(_MIDDLE + _STEP).margin
-
-    def wider(x: float, y: float) -> LensBlur:
-        widths = x * blur.widths[0], y * blur.widths[1]
-        return replace(given, mean=replace(blur, widths=widths))
-
-    def blurred(x: float, y: float) -> Array:
-        """The light of the middle with a blur so many times as wide along x and y."""
-        return _image(plan_of(scene, cells, blur=wider(x, y)), heights, margin)
-
-    with torch.no_grad():
-        traced = _image(BeamPlan(scene, Corners(*cells, origins)), heights, margin)
-        middle = blurred(_MIDDLE, _MIDDLE)
-        steps = [
-            (blurred(_MIDDLE + x, _MIDDLE + y) - blurred(_MIDDLE - x, _MIDDLE - y)) / 2
-            for x, y in ((_STEP, 0), (0, _STEP))
-        ]
-    best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
-    x, y = (_MIDDLE + _STEP * part for part in best.clip(-_FARTHEST, _FARTHEST).tolist())
-    # Origins make dots of narrow light, which are no difference of the lens.
-    even = [convolved_in_place(image, blur.spread()[0]) for image in (traced, middle)]
-    unlike = np.linalg.norm(even[1] - even[0])
-    return wider(x, y) if unlike < _EVEN * np.linalg.norm(even[0]) else None
-
-
-def _image(
-    plan: BeamPlan | BlurredPlan, heights: Mapping[str, Tensor], margin: tuple[int, int]
-) -> Array:
-    return np.asarray(plan.trace(heights, margin).flux.double().cpu().numpy())

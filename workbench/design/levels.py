@@ -10,8 +10,8 @@ from torch import Tensor
 from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 
 from workbench.arrays import Array
+from workbench.design.fitted_blur import directions_at_receiver, lens_blur_of
 from workbench.design.images import AnyImage, AskedLight, SeveralImages, WideImage
-from workbench.design.lens_blur import directions_at_receiver, lens_blur_of
 from workbench.extended.scattering import film_scene, scattering_of
 from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import of_known_size
@@ -55,8 +55,8 @@ class Level(Density):
 COARSE = Level(per_pixel=1.5, per_control_point=1.2, thinning=0.5)
 """Whether one first design is better than another."""
 
-# With 1.5 rays for each control point, a run sees 1.070 times the lower bound of a photograph in the
-# sun where 1.086 times are there.
+# With 1.5 rays for each control point, a run sees 1.070 times the lower bound of a photograph in
+# the sun where 1.086 times are there.
 _RAYS = Density(per_pixel=3.0, per_control_point=2.5)
 FINE = Level(per_pixel=3.0, per_control_point=1.9, thinning=0.25, rays=_RAYS)
 """All lenses of a run are judged by it, so that their losses can be compared.
@@ -66,9 +66,7 @@ A flame is 1.55 % off after 8.3 s with 1.9 cells for each control point, 1.51 % 
 nine pictures are 14 % worse than with 1.9, and take 0.86 of the time.
 """
 
-JUDGED = replace(
-    FINE, per_control_point=2.6, origins=4, rays=replace(_RAYS, per_control_point=3.7)
-)
+JUDGED = replace(FINE, per_control_point=2.6, origins=4, rays=replace(_RAYS, per_control_point=3.7))
 """The best lens of a run is judged by it at last, by beams that the descent has not corrected.
 
 By `FINE` a run sees 1.48 % of the 1.56 % of a flame, by this 1.55 %; by 64 origins an LED's lens is
