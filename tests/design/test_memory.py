@@ -13,7 +13,7 @@ from tests.benchmarks.kernels import wavy
 from tests.scenes import changed
 from workbench.design import memory
 from workbench.design.images import WideImage
-from workbench.design.levels import FINE, cells_of, source_cells
+from workbench.design.levels import FINE, cells_of, fine_level, source_cells
 from workbench.design.memory import auto_memory, check_auto
 from workbench.design.run import run
 from workbench.errors import Refused
@@ -115,7 +115,7 @@ def peaks():
 def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
     scene = scene_of(name)
     cells = source_cells(scene)
-    computed = memory._of_nodes(scene, cells) if cells else memory._of_image(scene)
+    computed = memory._of_nodes(scene, cells) if cells else memory._of_image(scene, fine_level(scene))
     # The formula counts pieces of the heap, too.
     assert 1.05 * peaks[name] < computed < 1.4 * peaks[name]
 

@@ -121,7 +121,7 @@ def test_a_session_says_what_the_program_took(make_scene, rng, path):
     header = json.loads(entries_of(path)["session.json"])
     assert (header["version"], header["scene"]["version"]) == (3, 3)
     assert header["scene"]["elements"][0]["faces"][1]["control_points"] == "auto"
-    assert header["control_points"] == [24, 18]
+    assert header["control_points"] == [36, 27]
     assert read_session(path).scene == session.scene
 
 

@@ -92,10 +92,11 @@ class _Pair(NamedTuple):
 
 def remembered(count: int) -> int:
     """Number of steps whose curvature a descent along so many parameters remembers."""
-    return int(min(max(_BYTES / (2 * _kind(count).itemsize * count), _FEWEST), _MOST))
+    return int(min(max(_BYTES / (2 * float_type(count).itemsize * count), _FEWEST), _MOST))
 
 
-def _kind(count: int) -> torch.dtype:
+def float_type(count: int) -> torch.dtype:
+    """Float type in which a descent remembers steps along so many parameters."""
     return torch.float32 if count > _MANY else torch.float64
 
 
@@ -124,7 +125,7 @@ def minimise(
     """
     low, high = ends or (torch.full_like(x, -math.inf), torch.full_like(x, math.inf))
     pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
-    kind = _kind(len(x))
+    kind = float_type(len(x))
     x = x.clamp(low, high)
     here = objective(x)
     yield x, here
@@ -163,7 +164,7 @@ def minimise(
 def _free(x: Tensor, gradient: Tensor, low: Tensor, high: Tensor) -> Tensor | None:
     """1 where a coordinate may change, 0 where it is held at an end; None where all may."""
     held = ((x <= low) & (gradient >= 0)) | ((x >= high) & (gradient <= 0))
-    return (~held).to(_kind(len(x))) if held.any() else None
+    return (~held).to(float_type(len(x))) if held.any() else None
 
 
 def _direction(

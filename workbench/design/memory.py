@@ -8,9 +8,9 @@ computed for a photograph of 1024 x 1024 pixels.
 
 import math
 
-from workbench.design.descent import remembered
+from workbench.design.descent import float_type, remembered
 from workbench.design.images import MARGINS
-from workbench.design.levels import FINE, cells_of, source_cells
+from workbench.design.levels import Level, cells_of, fine_level, source_cells
 from workbench.design.transport.one_face import cells_for
 from workbench.design.transport.two_faces import cells_of_faces
 from workbench.errors import Refused
@@ -110,18 +110,20 @@ def _of_start(scene: Scene) -> float:
 def _of_descent(scene: Scene) -> float:
     """Bytes of a step on the finest images, all of which are there at the same time."""
     heights = sum(math.prod(net.shape) for net in nets_of(scene).values())
-    steps = _REAL * heights * (2 * remembered(heights) + _VECTORS)
-    return _SCATTERED * (steps + sum(map(_of_image, scene.single)))
+    pairs = 2 * remembered(heights) * float_type(heights).itemsize
+    level = fine_level(scene)
+    images = sum(_of_image(each, level) for each in scene.single)
+    return _SCATTERED * (heights * (pairs + _REAL * _VECTORS) + images)
 
 
-def _of_image(scene: Scene) -> float:
+def _of_image(scene: Scene, level: Level) -> float:
     """Bytes of one evaluation of a lens in an image, with its gradient."""
     blur = Blur.of(scene)
     # Only a trace shows whether all parts of the lens blur the source alike.
     even = not blur.within_a_pixel and one_over_the_lens(scene)
-    by_origins = _of_nodes(scene, cells_of(FINE, scene))
+    by_origins = _of_nodes(scene, cells_of(level, scene))
     if even:
-        middle = cells_of(FINE, scene, sharp=True, rays=True)
+        middle = cells_of(level, scene, sharp=True, rays=True)
         return max(by_origins, _of_nodes(scene, middle, blur.parts))
     between = source_cells(scene)
     return by_origins if between is None else max(by_origins, _of_nodes(scene, between))

@@ -28,9 +28,9 @@ _PER_PIXEL = 1.875
 # with less detail: steps, so that a stroke of a brush in the target seldom changes the net, and
 # with it the locks.
 _PARTS = (1.6, 1.3, 1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125)
-# Most of them for what is worth so many times the usual number: words, codes and stars on black, of
-# which the largest of those parts leaves 2 to 3 %.
-_FINEST, _SHARPEST = 2.4, 2.0
+# More for what is worth so many: words, codes and stars on black, of which the largest of those
+# parts leaves 2 to 3 %.
+_FINEST = 2.4
 # Light has to be moved whatever the target shows.
 _FEWEST = 96
 # Relative L2 error of a target that is left out, and control points per period of the rest: dark
@@ -108,7 +108,7 @@ def _count(pixels: int, worth: float, degree: int) -> int:
     most = _PER_PIXEL * pixels
     needed = max(worth, min(_FEWEST, most))
     part = min((part for part in _PARTS if part * most >= needed), default=max(_PARTS))
-    if needed >= _SHARPEST * most:
+    if needed >= _FINEST * most:
         part = _FINEST
     return min(max(math.ceil(part * most), degree + 1), LARGEST_NET)
 

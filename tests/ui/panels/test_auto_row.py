@@ -21,7 +21,7 @@ def shown(forms, path=NET):
 
 
 def test_the_row_shows_what_auto_comes_to(forms):
-    assert shown(forms) == (True, [("", "60"), ("", "48")])
+    assert shown(forms) == (True, [("", "90"), ("", "72")])
 
 
 def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
@@ -35,15 +35,15 @@ def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
 def test_an_empty_field_leaves_it_to_the_program_again(forms, document, qtbot):
     enter(qtbot, forms, f"{NET}[0]", "12")
     enter(qtbot, forms, f"{NET}[1]", "")
-    assert document.session.scene.optic.control_points == AutoNet((60, 48))
+    assert document.session.scene.optic.control_points == AutoNet((90, 72))
 
 
 def test_an_entrance_face_shows_the_net_of_the_exit_face_and_takes_it(forms, document):
     forms.switch_entrance()
     net = "elements[0].faces[0].control_points"
-    assert shown(forms, net) == (True, [("", "60"), ("", "48")])
+    assert shown(forms, net) == (True, [("", "90"), ("", "72")])
     row(forms, net).box.click()
-    assert document.session.scene.optic.entrance.control_points == (60, 48)
-    assert shown(forms, net) == (False, [("60", "60"), ("48", "48")])
+    assert document.session.scene.optic.entrance.control_points == (90, 72)
+    assert shown(forms, net) == (False, [("90", "90"), ("72", "72")])
     row(forms, net).box.click()
     assert document.session.scene.optic.entrance.control_points == AutoNet()
