@@ -115,7 +115,8 @@ def peaks():
 def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
     scene = scene_of(name)
     cells = source_cells(scene)
-    computed = memory._of_nodes(scene, cells) if cells else memory._of_image(scene, fine_level(scene))
+    level = fine_level(scene)
+    computed = memory._of_nodes(scene, cells) if cells else memory._of_image(scene, level)
     # The formula counts pieces of the heap, too.
     assert 1.05 * peaks[name] < computed < 1.4 * peaks[name]
 
