@@ -1,10 +1,10 @@
 """Sizes of a run: control points that a lens is worth, and parameters of the paper's method.
 
-Finer nets take longer. Of 256 x 256 pixels, a flame is 1.57 % off with 480 x 480 control points
-after 9 s of the processor, 1.27 % with 768 x 624 after 14 s, and 1.00 % with 960 x 624 after 28 s;
-words on black 3.3, 2.3 and 1.9 % after 10, 15 and 28 s. So 480 is the net for the usual detail of
-256 pixels, and up to 768 that for sharp edges. A target is worth the highest frequency of its
-detail, and nothing is worth more than the blur that a source of some size lays over the screen.
+Finer nets take longer. Of 256 x 256 pixels, a portrait is 1.5 % off with 768 x 768 control points
+after 10 s of the processor; words on black are 3.1 % off with these after 8 s, and 2.1 % with
+1152 x 1152 after 23 s. So 480 is the net for the usual detail of 256 pixels, up to 768 that for
+sharp edges, and 1152 for the sharpest. A target is worth the highest frequency of its detail, and
+nothing is worth more than the blur that a source of some size lays over the screen.
 
 Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. A method that nets
 of one size suit, as the paper's, gets such a one.
@@ -48,7 +48,7 @@ _DARKEST, _PER_EDGE, _POWER = 0.1, 5.5, 0.8
 # differences than one of 256 x 256, and is as far off on as many control points for each pixel.
 _SEEN = 256
 # What edges are worth at most, for the root of the pixels along an axis: time.
-_PER_ROOT = 72.0
+_PER_ROOT = 80.0
 # Control points per width of the blur that a source lays over the screen: of one that is near, and
 # of one that is infinitely far. For the near one finer nets only take time: a torch whose blur is a
 # seventeenth of the image is 15.3 % off with 64 x 64 after 37 s, and 18.5 % with 288 x 288 after
