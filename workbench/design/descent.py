@@ -14,15 +14,13 @@ from torch import Tensor
 from workbench.design.images import AnyImage
 from workbench.design.lens_state import Step
 from workbench.design.snapshot import FLAT, LOWEST, SLOW, SMALL
-from workbench.design.waves import FaceWaves
+from workbench.design.waves import FaceWaves, float_type
 from workbench.messages import Message
 from workbench.optics.account import UnbalancedAccount
 
 # Steps whose curvature L-BFGS remembers: as many as fit into this memory, but not fewer or more.
 # *LED close by* ends at 4.8 % after 118 steps with 20 of them, at 3.2 % after 199 steps with 150.
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
-# Directions along more parameters are computed in float32.
-_MANY = 256**2
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
 # A step whose curvature is a smaller part of the largest that it could be says nothing of it.
@@ -93,11 +91,6 @@ class _Pair(NamedTuple):
 def remembered(count: int) -> int:
     """Number of steps whose curvature a descent along so many parameters remembers."""
     return int(min(max(_BYTES / (2 * float_type(count).itemsize * count), _FEWEST), _MOST))
-
-
-def float_type(count: int) -> torch.dtype:
-    """Float type in which a descent remembers steps along so many parameters."""
-    return torch.float32 if count > _MANY else torch.float64
 
 
 def minimise(

@@ -100,7 +100,7 @@ def _fitted(
         return replace(given, mean=replace(blur, widths=widths))
 
     def blurred(x: float, y: float) -> Array:
-        """The light of the middle with a blur so many times as wide along x and y."""
+        """The light of the middle with a blur that is wider by the factors x and y."""
         return _image(plan_of(scene, cells, blur=wider(x, y)), heights, margin)
 
     with torch.no_grad():

@@ -52,8 +52,7 @@ class WideImage:
     themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
     that is nearly the same everywhere: light of its middle is traced then, and blurred;
     `asked_light`: light that the image shall have. By default what arrives, however much that is;
-    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``;
-    `rays`: whether light that the source blurs is drawn as rays.
+    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
     is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
@@ -71,9 +70,9 @@ class WideImage:
         blur: LensBlur | None = None,
         asked_light: AskedLight | None = None,
         scattering: ImageBlur | None = None,
-        rays: bool = False,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
+        rays = blur is not None and blur.suits_rays
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)

@@ -227,7 +227,7 @@ class RayPlan:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was chosen for this scene and what is left out, in words, for a run's log."""
+        """What a run's log says of choices for this scene and of what is left out."""
         return self._plan.notes
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:

@@ -227,7 +227,7 @@ def _image_of(
     scene, cells = film_scene(image.scene), None
     extended = _origins(scene) > 1
     blur = lens_blur_of(scene, heights) if extended else None
-    rays = blur is not None and blur.suits_rays and level.rays is not None
+    rays = blur is not None and blur.suits_rays
     scattering = scattering_of(image.scene, directions_at_receiver(image.scene, heights))
     if extended and blur is None:
         cells = fitting_source_cells(scene, heights, mirrored)
@@ -240,7 +240,6 @@ def _image_of(
         blur,
         asked_light_of(scene, heights),
         scattering,
-        rays,
     )
 
 

@@ -8,11 +8,12 @@ computed for a photograph of 1024 x 1024 pixels.
 
 import math
 
-from workbench.design.descent import float_type, remembered
+from workbench.design.descent import remembered
 from workbench.design.images import MARGINS
 from workbench.design.levels import Level, cells_of, fine_level, source_cells
 from workbench.design.transport.one_face import cells_for
 from workbench.design.transport.two_faces import cells_of_faces
+from workbench.design.waves import float_type
 from workbench.errors import Refused
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.geometry.surface import ControlNet, freeform_nets, nets_of

@@ -28,8 +28,8 @@ _PER_PIXEL = 1.875
 # with less detail: steps, so that a stroke of a brush in the target seldom changes the net, and
 # with it the locks.
 _PARTS = (1.6, 1.3, 1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125)
-# More for what is worth so many: words, codes and stars on black, of which the largest of those
-# parts leaves 2 to 3 %.
+# The part for targets that are worth all of it: words, codes and stars on black, of which the
+# largest of the others leaves 2 to 3 %.
 _FINEST = 2.4
 # Light has to be moved whatever the target shows.
 _FEWEST = 96

@@ -10,9 +10,10 @@ those that a blur damps.
 
 Where the image is dark, light of a small part of the lens fills much of it. A wave of the face
 changes its irradiance I in proportion to I^1.5, and a pixel there takes 1 / I of the face: without
-a blur, the error grows with I. So waves are made larger in proportion to 1 / I. With both, a
-photograph is 0.80 % off after 24 steps, and words 3.09 %; with one power of the periods for all
-waves, and larger ones by the root of that, 1.00 and 3.56 %.
+a blur, the error grows with I. So waves are made larger in proportion to 1 / I. On
+768 x 768 control points, a photograph is 0.81 % off after 24 steps, and words 2.94 %. With one power
+of the periods for all waves, larger ones by the root of 1 / I, and fewer cells of light, 1.03 and
+3.58 %.
 """
 
 import math
@@ -25,13 +26,18 @@ from torch import Tensor
 
 from workbench.arrays import AnyArray, Array
 from workbench.geometry.faces import NO_FACES
-from workbench.optics.kernels import threads
+from workbench.optics.kernels import kind_of, threads
 
 # A blur damps waves of which it is wider than this part of a period: a disc leaves 2 J₁(πf) / (πf)
 # of a wave, which falls as 2 √(2/π) (πf)^-1.5 from here on.
 _DAMPED = 0.435
-# Waves of a net of more control points are computed in float32, in half of the time.
+# Along more control points, waves and steps are computed in float32, in half of the time.
 _MANY = 256**2
+
+
+def float_type(count: int) -> torch.dtype:
+    """Float type in which a descent along ``count`` control points looks for its directions."""
+    return torch.float32 if count > _MANY else torch.float64
 
 
 class Waves:
@@ -68,7 +74,7 @@ class Waves:
         if mirrored[1]:
             squares[:, 1::2] = 0.0
         # Amplitudes only say where a descent looks next.
-        self._kind = np.float32 if squares.size > _MANY else np.float64
+        self._kind = kind_of(float_type(squares.size))
         self._sizes: AnyArray = np.sqrt(squares).astype(self._kind)
         self._eases: AnyArray | None = None
         if eases is not None:

@@ -35,7 +35,7 @@ _ALL = slice(None)
 # many along an axis.
 _SHARED = 2
 # In half-widths of the element: rays that meet the face so near to the middles of cells are theirs;
-# so many along an axis show it.
+# and the number of rays along an axis that show it.
 _NEAR, _FEW_RAYS = 1e-6, 16
 
 

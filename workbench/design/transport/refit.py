@@ -11,8 +11,8 @@ from workbench.design.transport.one_face import cells_for
 from workbench.geometry.surface import ControlNet, nets_of
 from workbench.scene import Scene
 
-# Cells along an axis for each control point: one, and so many more for each degree; and at least
-# those of a first design, whose matrices are there. A flame's lens of 480 control points of degree
+# Cells along an axis for each control point: 1, and this for each degree; and at least those of a
+# first design, whose matrices are there. A flame's lens of 480 control points of degree
 # 3 is 1.63 % off with 1.25 to 1.8 of them. With fewer, slopes in cells do not determine a spline:
 # near its ends it oscillates, the more so the higher its degree.
 _PER_DEGREE = 0.15

@@ -92,10 +92,10 @@ def tabulated(
         middle, half = _lit(origins, half_width, z, samples)
     elif count == 1 and (reach := _STEEPEST * (z - origins.places[0, 2])) < max(half_width):
         n, (middle, half) = _OF_NEAR, _around(origins.places[0], half_width, reach)
-    across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
     if samples is None:
         places = tuple(map(tuple, origins.places.tolist()))
         return Patterns(_known(origins.pattern, places, middle, half, z, n), middle, half)
+    across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
     values, distance = _seen(origins.pattern, origins.places, across, up, z)
     # Flux per area is the intensity times this.
     spread = distance**-3
