@@ -10,10 +10,11 @@ those that a blur damps.
 
 Where the image is dark, light of a small part of the lens fills much of it. A wave of the face
 changes its irradiance I in proportion to I^1.5, and a pixel there takes 1 / I of the face: without
-a blur, the error grows with I. So waves are made larger in proportion to 1 / I. On
-768 x 768 control points, a photograph is 0.81 % off after 24 steps, and words 2.94 %. With one power
-of the periods for all waves, larger ones by the root of 1 / I, and fewer cells of light, 1.03 and
-3.58 %.
+a blur, the error grows with I. So waves are made larger in proportion to 1 / I.
+
+On 768 x 768 control points, a photograph is 0.81 % off after 24 steps, and words 2.94 %. With one
+power of the periods for all waves, larger ones by the root of 1 / I, and fewer cells of light, 1.03
+and 3.58 %.
 """
 
 import math
