@@ -208,17 +208,21 @@ class Bounds:
     def too_narrow(self) -> bool:
         """Whether the first design of a single image, with no locks, does not fit within them."""
         several = len(self.scene.images) > 1 or bool(self._others or self.locked)
-        return not several and any(self._lacking(face) for face in self.first or ())
+        return not several and bool(self._lacking)
 
-    def _lacking(self, face: str) -> bool:
-        """Whether the first design of a face lacks more of its limits than does no harm."""
-        assert self.first is not None
-        return self.limits[face].lacks(self.first[face]) > self._tolerable(face)
-
-    def _tolerable(self, face: str) -> float:
-        assert self.first is not None
-        off = self.first[face] - self.limits[face].undesigned
-        return _TOLERABLE * float(np.ptp(off))
+    @cached_property
+    def _lacking(self) -> dict[str, float]:
+        """What a first design may lack without harm, for each face that lacks more than that."""
+        first = self.first or {}  # settles the limits
+        tolerable = {
+            face: _TOLERABLE * float(np.ptp(z - self.limits[face].undesigned))
+            for face, z in first.items()
+        }
+        return {
+            face: most
+            for face, most in tolerable.items()
+            if self.limits[face].lacks(first[face]) > most
+        }
 
     def coarser(self, times: int) -> "Bounds":
         """Bounds of the task with pixels and control points of each axis divided by ``times``."""
@@ -322,11 +326,9 @@ class Bounds:
         return self._need(share) or (self._held(low, high, share) if share >= _MANY else None)
 
     def _need(self, share: float) -> Shortfall | None:
-        if self.first is None:
+        if self.first is None or self._face not in self._lacking:
             return None
-        if not self._lacking(self._face):
-            return None
-        first, tolerable = self.first[self._face], self._tolerable(self._face)
+        first, tolerable = self.first[self._face], self._lacking[self._face]
         optic = self.scene.optic.shaped(height_range=None)
         optic = bounded(self.scene.with_optic(optic), CLOSEST)
         limits = HeightLimits.of(optic, self._net)

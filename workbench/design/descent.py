@@ -23,6 +23,10 @@ from workbench.optics.account import UnbalancedAccount
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
+# Steps are so much longer than the model of the curvature has them, which is steepest along the
+# waves that it does not know. After 15 steps of lengths 1, 1.25, 1.5 and 1.75 a photograph is
+# 0.96, 0.94, 0.91 and 0.92 % off, a darker one 1.63, 1.55, 1.48 and 1.47 %.
+_LONGER = 1.5
 # A step whose curvature is a smaller part of the largest that it could be says nothing of it.
 _LEAST_CURVATURE = 1e-10
 # Steps that together have to gain something: five with so many beams, more where each costs less.
@@ -128,7 +132,7 @@ def minimise(
         direction = _direction(pairs, here.value, gradient, waves, free).to(x)
         if not torch.dot(here.gradient, direction).item() < 0:
             return
-        step = 1.0
+        step = _LONGER
         for _ in range(_MAX_TRIALS):
             reached = (x + step * direction).clamp(low, high)
             moved = reached - x
