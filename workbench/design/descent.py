@@ -52,7 +52,7 @@ class Descent(NamedTuple):
 # Without a blur. Powers of 1.25, 1.5 and 2 leave 0.87, 0.87 and 0.88 % of a photograph after 24
 # steps, and 3.17, 3.18 and 3.28 % of words. With a gain of 0.08 and 0.06 in place of 0.07 a
 # portrait ends at 1.53 and 1.41 % after 25 and 32 steps.
-_SHARP = (Descent(1.5, 0.07, 5e-4),)
+_SHARP = (Descent(1.5, 0.07, 7e-4),)
 # With an even blur, each step is one trace of rays, and light gathers slowly in spots and lines
 # narrower than the blur: a photograph in the sun, on 480 x 480 control points, is 1.105 times as
 # far off as its lower bound after 20 steps, 1.095 times after 40.

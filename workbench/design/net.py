@@ -1,9 +1,9 @@
 """Sizes of a run: control points that a lens is worth, and parameters of the paper's method.
 
-Finer nets take longer. Of 256 x 256 pixels, a portrait is 1.5 % off with 768 x 768 control points
-after 10 s of the processor; words on black are 3.1 % off with these after 8 s, and 2.1 % with
-1152 x 1152 after 23 s. So 480 is the net for the usual detail of 256 pixels, up to 768 that for
-sharp edges, and 1152 for the sharpest. A target is worth the highest frequency of its detail, and
+Finer nets take longer. Of 256 x 256 pixels, a photograph is 1.03 % off with 624 x 624 control points
+after 7 s of the processor and 0.98 % with 768 x 768 after 11 s; dots on black are 2.3 % off with
+768 x 768 after 7 s, and 1.9 % with 960 x 960 after 11 s. So 480 is the net for the usual detail of
+256 pixels, up to 960 that for sharp edges, and 1152 for the sharpest. A target is worth the highest frequency of its detail, and
 nothing is worth more than the blur that a source of some size lays over the screen.
 
 Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. A method that nets
@@ -27,10 +27,7 @@ _PER_PIXEL = 1.875
 # Parts of that for targets with sharp edges, above all in dark places, and for targets and sources
 # with less detail: steps, so that a stroke of a brush in the target seldom changes the net, and
 # with it the locks.
-_PARTS = (1.6, 1.3, 1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125)
-# The part for targets that are worth all of it: words, codes and stars on black, of which the
-# largest of the others leaves 2 to 3 %.
-_FINEST = 2.4
+_PARTS = (2.4, 2.0, 1.6, 1.3, 1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125)
 # Light has to be moved whatever the target shows.
 _FEWEST = 96
 # Relative L2 error of a target that is left out, and control points per period of the rest: dark
@@ -43,12 +40,12 @@ _LEFT_OUT, _PER_PERIOD = 2e-3, 16.0
 # a dark uniform is 2.2 % off on 480 x 480 control points and 1.6 % on 624 x 624; of 21 pictures of
 # 256 x 256 pixels, errors on as many control points grow with it, and fall with the power -1.25 of
 # control points along an axis.
-_DARKEST, _PER_EDGE, _POWER = 0.1, 5.5, 0.8
+_DARKEST, _PER_EDGE, _POWER = 0.1, 4.6, 0.8
 # More pixels along an axis are averaged before: a photograph of 512 x 512 pixels has less of second
 # differences than one of 256 x 256, and is as far off on as many control points for each pixel.
 _SEEN = 256
 # What edges are worth at most, for the root of the pixels along an axis: time.
-_PER_ROOT = 80.0
+_PER_ROOT = 67.0
 # Control points per width of the blur that a source lays over the screen: of one that is near, and
 # of one that is infinitely far. For the near one finer nets only take time: a torch whose blur is a
 # seventeenth of the image is 15.3 % off with 64 x 64 after 37 s, and 18.5 % with 288 x 288 after
@@ -108,8 +105,6 @@ def _count(pixels: int, worth: float, degree: int) -> int:
     most = _PER_PIXEL * pixels
     needed = max(worth, min(_FEWEST, most))
     part = min((part for part in _PARTS if part * most >= needed), default=max(_PARTS))
-    if needed >= _FINEST * most:
-        part = _FINEST
     return min(max(math.ceil(part * most), degree + 1), LARGEST_NET)
 
 
