@@ -128,7 +128,7 @@ class Blur:
         x, y = (math.floor(width / 2 + 1) for width in self.widths)
         return x, y
 
-    def offsets(self, finer: int = 1) -> tuple[Array, Array]:
+    def offsets(self, finer: float = 1) -> tuple[Array, Array]:
         """Return positions of the blur's middle within a pixel, along x and y.
 
         The light of a rectangle in a pixel is linear between the positions where one of its edges
@@ -139,7 +139,7 @@ class Blur:
         x, y = (self._offsets(axis, finer) for axis in (0, 1))
         return x, y
 
-    def _offsets(self, axis: int, finer: int) -> Array:
+    def _offsets(self, axis: int, finer: float) -> Array:
         width = max(self.widths[axis], _LEAST)
         if self.points is None and self.shape == "rectangle":
             return _in_pixel(np.array([-width / 2, width / 2]) + 0.5)
@@ -148,10 +148,10 @@ class Blur:
             if len(edges) <= _MOST_PLACES:
                 return _in_pixel((edges + np.append(edges[1:], edges[0] + 1)) / 2)
         places = next(count for least, count in _PLACES if width >= least)
-        count = min(places * finer, _MOST_PLACES)
+        count = min(max(round(places * finer), 1), _MOST_PLACES)
         return _in_pixel(np.arange(count) / count)
 
-    def kernels(self, finer: int = 1) -> Array:
+    def kernels(self, finer: float = 1) -> Array:
         """Kernels (positions, 2 m_y + 1, 2 m_x + 1) for all pairs of `offsets`.
 
         Exact integrals over pixels, each kernel summing to 1, for margins m; rows go up.

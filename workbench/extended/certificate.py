@@ -17,11 +17,12 @@ r(y) = c − ⟨k_y, w⟩ / ⟨k_y, 1⟩ > 0.
 Let δ(x) be the largest r of all positions whose blur touches the pixel x. Then ⟨k_y, δ⟩ is at least
 r(y) ⟨k_y, 1⟩, and no position fails for w + δ.
 
-Before that, w is raised a few times where positions fail: each pixel by the mean deficit of the
-failing positions that touch it, which costs less than the largest deficit. At the rim, a position
-whose blur grazes one pixel has a deficit a thousand times that of others: a photograph in the sun
-was certified to 0.97 % without it and is to 1.18 % with it, where light that makes 1.43 % is known
-(128 × 128 pixels, 240 steps).
+Before that, w is raised where positions fail: by a multiple of the blur about the position that
+fails most, so that it no longer fails, then about the next one that still does. Such steps of the
+dual problem cost less than the largest deficit: at the rim, a position whose blur grazes one pixel
+has a deficit a thousand times that of others. A photograph in the sun of which light makes 10.86 %
+is certified to 10.66 % with these steps, to 10.60 % with the mean deficit of the failing positions
+that touch each pixel, three times, and to 10.38 % without either.
 """
 
 from collections.abc import Iterator
@@ -33,8 +34,8 @@ from workbench.extended.blurring import Blurring
 
 # Less than this part of the blur within the image is rounding.
 _GRAZING = 1e-9
-# Number of raises of an image where positions fail, and their factor on the deficit.
-_RAISES, _RAISED = 3, 1.8
+# Passes over the positions that fail.
+_PASSES = 2
 # Search range of c about its first guess, in typical sizes of w, and number of evaluations.
 _BELOW, _ABOVE, _TRIES = 1.0, 0.1, 8
 
@@ -48,7 +49,7 @@ class Certifier:
     def __init__(self, kernels: Array, target: Array) -> None:
         n_y, n_x = target.shape
         self._target, self._size = target, float(np.linalg.norm(target))
-        self._footprint = kernels.shape[1:]
+        self._kernels = kernels
         margins = kernels.shape[1] // 2, kernels.shape[2] // 2
         self._image = tuple(slice(m, m + n) for m, n in zip(margins, target.shape, strict=True))
         # One position after the other limits the memory; all have the same grid.
@@ -69,8 +70,8 @@ class Certifier:
         if spread == 0:
             return 0.0
         guess = float(((self._target + w) * w).sum() / (self._target + w).sum())
-        for _ in range(_RAISES):
-            w += _RAISED * self._deficit(w, guess)
+        for _ in range(_PASSES):
+            self._raise(w, guess)
         least = self._least_means(w)
 
         def lost(c: float) -> float:
@@ -85,31 +86,37 @@ class Certifier:
         )
         return max(-min(lost(guess), float(tried.fun)) / self._size, 0.0)
 
-    def _means(self, w: Array) -> Iterator[tuple[Blurring, Array, Array]]:
+    def _means(self, w: Array) -> Iterator[Array]:
+        """Means of an image over the part of the blur within it, about each position."""
         waves = self._first.waves(self._first.on_grid(w))
         for blurring, share in zip(self._each, self._shares, strict=True):
             seen = share > _GRAZING
             inverse = np.divide(1.0, share, out=np.zeros_like(share), where=seen)
             means = blurring.back_from(waves)[0][blurring.places] * inverse
-            yield blurring, np.where(seen, means, np.inf), inverse
+            yield np.where(seen, means, np.inf)
 
-    def _deficit(self, w: Array, c: float) -> Array:
-        waves = np.zeros((2, *self._first.kernels.shape[1:]), self._first.kernels.dtype)
-        light = np.zeros((2, *self._first.grid))
-        places = light[:, *self._first.places]
-        for blurring, means, inverse in self._means(w):
-            fails = (c - means).clip(min=0.0)
-            places[:] = fails * inverse, (fails > 0) * inverse
-            waves += blurring.waves(light) * blurring.kernels
-        lacking, touching = self._first.images(waves)[:, *self._first.seen]
-        # Only rounding of the transforms: no position fails.
-        touched = touching > _GRAZING * max(float(touching.max()), 1.0)
-        mean = np.divide(lacking, touching, out=np.zeros_like(w), where=touched)
-        return np.asarray(mean.clip(min=0.0))
+    def _raise(self, w: Array, c: float) -> None:
+        """Raise an image, in place, until no position fails of those in a pixel that fail most."""
+        most = np.zeros(self._shares[0].shape)
+        position = np.zeros(most.shape, int)
+        for number, means in enumerate(self._means(w)):
+            more = c - means > most
+            most[more], position[more] = (c - means)[more], number
+        places = np.argwhere(most > 0)
+        order = np.argsort(-most[most > 0])
+        (n_y, n_x), (_, k_y, k_x) = w.shape, self._kernels.shape
+        for y, x in places[order].tolist():
+            top, left = y + 1 - k_y, x + 1 - k_x  # of the blur on the image
+            kernel = self._kernels[position[y, x]]
+            kernel = kernel[max(-top, 0) : n_y - top, max(-left, 0) : n_x - left]
+            touched = w[max(top, 0) : top + k_y, max(left, 0) : left + k_x]
+            lacking = c * kernel.sum() - np.vdot(kernel, touched)
+            if lacking > 0:
+                touched += lacking / np.vdot(kernel, kernel) * kernel
 
     def _least_means(self, w: Array) -> Array:
         least = np.full(self._shares[0].shape, np.inf)
-        for _, means, _ in self._means(w):
+        for means in self._means(w):
             np.minimum(least, means, out=least)
         return least
 
@@ -117,4 +124,6 @@ class Certifier:
         from scipy.ndimage import maximum_filter  # slow import
 
         fails = (c - least).clip(min=0.0)
-        return np.asarray(maximum_filter(fails, self._footprint, mode="constant")[self._image])
+        return np.asarray(
+            maximum_filter(fails, self._kernels.shape[1:], mode="constant")[self._image]
+        )
