@@ -1,14 +1,20 @@
 """The blur of a source over the image of a lens, as traces of that lens show it."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.design.lens_blur import DEGREE, BlurChange, BlurredPlan, LensBlur, plan_of
+from workbench.design.lens_blur import (
+    DEGREE,
+    BlurChange,
+    BlurredPlan,
+    LensBlur,
+    LightBlurring,
+    plan_of,
+)
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.blurring import convolved_in_place, powers
 from workbench.extended.scattering import Directions
@@ -92,19 +98,19 @@ def _fitted(
     scene: Scene, heights: Mapping[str, Tensor], given: LensBlur, count: int, origins: int
 ) -> LensBlur | None:
     """A blur with the widths that a lens makes; see `lens_blur_of`."""
-    blur, cells = given.mean, (count, count)
-    margin = blur.scaled(_MIDDLE + _STEP).margin
-
-    def wider(x: float, y: float) -> LensBlur:
-        widths = x * blur.widths[0], y * blur.widths[1]
-        return replace(given, mean=replace(blur, widths=widths))
-
-    def blurred(x: float, y: float) -> Array:
-        """The light of the middle with a blur that is wider by the factors x and y."""
-        return _image(plan_of(scene, cells, blur=wider(x, y)), heights, margin)
-
+    cells, near = (count, count), given.wider(_MIDDLE, _MIDDLE)
+    margin = given.wider(_MIDDLE + _STEP, _MIDDLE + _STEP).mean.margin
+    plan = plan_of(scene, cells, blur=near)
+    assert isinstance(plan, BlurredPlan)  # for there is a blur
     with torch.no_grad():
-        traced = _image(BeamPlan(scene, Corners(*cells, origins)), heights, margin)
+        traced = _array(BeamPlan(scene, Corners(*cells, origins)).trace(heights, margin).flux)
+        light, pixels = plan.unblurred(heights, margin).flux.float(), scene.receiver.pixels
+
+        def blurred(x: float, y: float) -> Array:
+            """The light of the middle with a blur that is wider by the factors x and y."""
+            blur = given.wider(x, y).image_blur_in(near.mean.parts)
+            return _array(LightBlurring.of(blur, pixels, margin, light.device).image(light))
+
         middle = blurred(_MIDDLE, _MIDDLE)
         steps = [
             (blurred(_MIDDLE + x, _MIDDLE + y) - blurred(_MIDDLE - x, _MIDDLE - y)) / 2
@@ -113,12 +119,10 @@ def _fitted(
     best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
     x, y = (_MIDDLE + _STEP * part for part in best.clip(-_FARTHEST, _FARTHEST).tolist())
     # Origins make dots of narrow light, which are no difference of the lens.
-    even = [convolved_in_place(image, blur.spread()[0]) for image in (traced, middle)]
+    even = [convolved_in_place(image, given.mean.spread()[0]) for image in (traced, middle)]
     unlike = np.linalg.norm(even[1] - even[0])
-    return wider(x, y) if unlike < _EVEN * np.linalg.norm(even[0]) else None
+    return given.wider(x, y) if unlike < _EVEN * np.linalg.norm(even[0]) else None
 
 
-def _image(
-    plan: BeamPlan | BlurredPlan, heights: Mapping[str, Tensor], margin: tuple[int, int]
-) -> Array:
-    return np.asarray(plan.trace(heights, margin).flux.double().cpu().numpy())
+def _array(image: Tensor) -> Array:
+    return np.asarray(image.double().cpu().numpy())

@@ -55,8 +55,9 @@ class WideImage:
     `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
-    is the light of a source whose size blurs it, or of a diffuser; `blur_widths`: mean widths of
-    ``blur`` and ``scattering`` along x and y, parts of those of the receiver, or that of a pixel;
+    is the light of a source whose size blurs it, or of a diffuser; `rays`: whether it is drawn as
+    rays, not beams; `blur_widths`: mean widths of ``blur`` and ``scattering`` along x and y, parts
+    of those of the receiver, or that of a pixel;
     0 where the blur differs over the lens.
     """
 
@@ -72,12 +73,12 @@ class WideImage:
         scattering: ImageBlur | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
-        rays = blur is not None and blur.suits_rays
+        self.rays = blur is not None and blur.suits_rays
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        self._plan = plan_of(scene, cells, mirrored, blur, scattering, rays)
+        self._plan = plan_of(scene, cells, mirrored, blur, scattering, self.rays)
         self._margin, self._asked_light = (m_x, m_y), asked_light
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
@@ -90,7 +91,7 @@ class WideImage:
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
         boxes = blur is None and scene.source.continuous and corners.origins > 1
-        each = _OF_A_RAY if rays else 1.0
+        each = _OF_A_RAY if self.rays else 1.0
         if boxes and corners.of_source is None:
             each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1]
         self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
@@ -171,7 +172,8 @@ class SeveralImages:
 
     `images`: one for each of the scene's images; `wanted`: the same images, as the task asks for
     them. `effort`: of all of them together; see `WideImage`; `blurred`: whether any is the light of
-    a source whose size blurs it; `blur_widths`: the least of those of all images; see `WideImage`.
+    a source whose size blurs it; `rays`: whether all are drawn as rays; `blur_widths`: the least of
+    those of all images; see `WideImage`.
     """
 
     def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:
@@ -184,6 +186,7 @@ class SeveralImages:
         ]
         self.effort = sum(image.effort for image in images)
         self.blurred = any(image.blurred for image in images)
+        self.rays = all(image.rays for image in images)
         x, y = (min(widths) for widths in zip(*(i.blur_widths for i in images), strict=True))
         self.blur_widths = x, y
 

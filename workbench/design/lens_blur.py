@@ -105,11 +105,20 @@ class LensBlur:
         """Whether light of the middle may be drawn as rays in place of beams."""
         return self.mean.points is None and min(self.mean.widths) >= _EVEN_RAYS
 
+    def wider(self, x: float, y: float) -> Self:
+        """Return it with a mean so many times as wide along x and along y."""
+        widths = x * self.mean.widths[0], y * self.mean.widths[1]
+        return replace(self, mean=replace(self.mean, widths=widths))
+
     @property
     def image_blur(self) -> ImageBlur:
         """The blur of light in parts of pixels; light of a part lies in its middle."""
+        return self.image_blur_in(self.mean.parts)
+
+    def image_blur_in(self, parts: int) -> ImageBlur:
+        """See `image_blur`; for so many parts of a pixel along each axis."""
         mean, change = self.mean, self.change
-        places = (np.arange(mean.parts) + 0.5) / mean.parts - 0.5
+        places = (np.arange(parts) + 0.5) / parts - 0.5
         kernels = mean.at(places)[None]
         factors, half_extent = np.zeros((0, 1, 1)), (1.0, 1.0)
         if change is not None:
@@ -256,10 +265,15 @@ class BlurredPlan:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         return *self._plan.notes, self._blur.note
 
+    def unblurred(self, heights: Mapping[str, Tensor], margin: tuple[int, int]) -> Light:
+        """Light in parts of pixels, before it is blurred."""
+        m_x, m_y = margin
+        return self._plan.trace(heights, (self._blur.parts * m_x, self._blur.parts * m_y))
+
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens; see `BeamPlan.trace`."""
-        (n_x, n_y), (m_x, m_y), parts = self._pixels, margin, self._blur.parts
-        sharp = self._plan.trace(heights, (parts * m_x, parts * m_y))
+        (n_x, n_y), (m_x, m_y) = self._pixels, margin
+        sharp = self.unblurred(heights, margin)
         if margin not in self._blurring:
             device = sharp.flux.device
             self._blurring[margin] = LightBlurring.of(self._blur, self._pixels, margin, device)

@@ -231,7 +231,7 @@ def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | 
     face = scene.optic.designed_face
     if face in fixed:
         return float(fixed[face].mean())
-    rough = first_of(_roughly(scene), target, fixed)
+    rough = first_of(_roughly(scene), target, fixed, quick=True)
     return None if rough is None else float(rough.heights[face].mean())
 
 
