@@ -17,6 +17,7 @@ the distance of the result from the optimum, and decides when to stop.
 import math
 from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import lru_cache
+from itertools import islice
 from typing import NamedTuple, TypeVar, cast
 
 import numpy as np
@@ -186,7 +187,8 @@ def _allowed(target: Array, blur: Blur) -> Generator[None, None, float]:
     if blur.within_a_pixel:
         return 0.0
     wanted = target / target.sum()
-    steps = _search([_Level(blur.kernels(), _SPREAD_STEPS)], wanted)
+    every = _search(_levels(blur, wanted.shape)[:2], wanted, _FALLING_LIGHT)
+    steps = islice(every, _SPREAD_STEPS)
     search = next(steps)  # the same object after each step
     yield from (None for _ in steps)
     image = search.result().image

@@ -72,8 +72,8 @@ def first_of(
     the exit face. Where one of them is fixed, the other does the rest.
 
     `target` (n_y, n_x): the wanted image in any scale, row 0 at +y; `fixed` (n_u, n_v): control
-    heights of one of two faces that is what it is, by its name, scene units; `quick`: whether a few
-    rounds of transport to one face are enough, as under a blur.
+    heights of one of two faces that is what it is, by its name, scene units; `quick`: whether
+    transport to one face on grids of half as many cells is enough, as under a blur.
     """
     if isinstance(scene.optic.entrance, ConicFace):
         behind = split_start(scene, target)
