@@ -21,8 +21,8 @@ Before that, w is raised where positions fail: by a multiple of the blur about t
 fails most, so that it no longer fails, then about the next one that still does. Such steps of the
 dual problem cost less than the largest deficit: at the rim, a position whose blur grazes one pixel
 has a deficit a thousand times that of others. A photograph in the sun of which light makes 10.86 %
-is certified to 10.66 % with these steps, to 10.60 % with the mean deficit of the failing positions
-that touch each pixel, three times, and to 10.38 % without either.
+is certified to 10.66 % with these steps, and to 10.60 % with the mean deficit of the failing
+positions that touch each pixel, three times.
 """
 
 from collections.abc import Iterator

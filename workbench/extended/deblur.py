@@ -37,8 +37,8 @@ _LIGHT, _FALLING_LIGHT, _FALLS_EVERY = (0.003,), tuple(np.geomspace(0.04, 0.001,
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
 # With light at more positions in each pixel a step takes four times as long and gets closer: it is
 # used for the last steps. A photograph in the sun is certified to 10.66 % by 50, 30 and 15 steps
-# with 4, 16 and 64 positions in each pixel, and to 10.64 % by 100 with 16 and 50 with 64, which
-# take three times the time. Steps of a search with one set of positions, and between two checks.
+# with 4, 16 and 64 positions in each pixel; 100 with 16 and 50 with 64 take more than twice the
+# time and are no closer. Steps of a search with one set of positions, and between two checks.
 _FINENESS, _LEVELS = (0.5, 1, 2), (50, 30, 40)
 _STEPS, _CHECK_EVERY = 150, 25
 # A photograph is certified to 0.96 % after 120 steps for spots, to 1.15 % after these.
