@@ -84,3 +84,10 @@ def test_convolutions_are_those_of_sums(shape, rng):
     np.testing.assert_allclose(convolved(image, kernel), whole, atol=1e-12)
     same = convolve2d(image, kernel, mode="same")
     np.testing.assert_allclose(convolved_in_place(image, kernel), same, atol=1e-12)
+
+
+@pytest.mark.parametrize("width", [0.3, 1.0, 1.2, 1.9, 2.4, 4.6, 20.0])
+def test_light_moves_by_a_small_part_of_its_blur_to_the_middles_of_parts(width):
+    """Or of a pixel, where the blur is narrower."""
+    moved = 0.5 / Blur((width, width), "ellipse").parts
+    assert moved <= 0.1 * max(width, 1.0)

@@ -22,6 +22,10 @@ _EVEN_PLACES = 128.0
 # blurred over 4.6 pixels, the image has an error of 0.43 % with thirds and of 0.33 % with quarters,
 # which take 1.3 times the time.
 _PARTS, _MOST_PARTS = 16.0, 4
+# Least subdivisions of light within a blur's width, and within a pixel where the blur is narrower:
+# a run with quarters of a pixel saw 0.64 % of the 1.45 % of a letter blurred over 0.98 pixels, one
+# with fifths ends at 1.33 %.
+_NARROW_PARTS = 5.0
 # A blur wider than this many images is equivalent to one of this width: at most one of its edges is
 # in the image. Transforms of the full width would exceed the memory.
 _WIDEST = 2.0
@@ -120,7 +124,8 @@ class Blur:
     @property
     def parts(self) -> int:
         """Subdivisions of a pixel along each axis for light that is to be blurred."""
-        return min(math.ceil(_PARTS / max(min(self.widths), 1.0)), _MOST_PARTS)
+        width = max(min(self.widths), 1.0)
+        return max(min(math.ceil(_PARTS / width), _MOST_PARTS), math.ceil(_NARROW_PARTS / width))
 
     @property
     def margin(self) -> tuple[int, int]:
