@@ -7,9 +7,11 @@ from hypothesis import strategies as st
 
 from tests.scenes import changed
 from workbench.design.brush import Stroke, bump
+from workbench.design.images import WideImage
 from workbench.design.levels import source_cells
 from workbench.design.run import Evaluator, run
 from workbench.geometry.surface import ControlNet
+from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
 
 
@@ -191,3 +193,19 @@ def test_locked_points_stay(lens, flat):
     assert raised[3, 4] > 0.55
     assert not Stroke(lens, "lens.back", flat, locked, (4, 4), 0.0).moves
     assert Stroke(lens, "lens.back", flat, locked, (3, 4), 0.0).moves
+
+
+def test_a_run_with_a_near_source_ends_with_light_of_finer_beams(make_scene, letter):
+    """The descent corrects the errors of its own beams."""
+    led = {"kind": "area", "center": [0, 0, -1.5], "half_width": [0.15, 0.15]}
+    lens = {"lens.control_points": [16, 16], "lens.height_range": [-1, 2], "run.iterations": 25}
+    screen = {"screen.z": 6, "screen.half_width": [3, 3]}
+    scene = make_scene({"version": 2, "source": led} | lens | screen)
+    *steps, last = run(scene, letter)
+    seen = [step for step in steps if step.best][-1].state.loss
+    finer, extent = source_cells(scene, finer=3), scene.receiver.half_extent
+    heights = tensors_of(last.state.heights, scene)
+    true = WideImage(scene, letter, finer, extent).step(heights).state.loss
+    assert last.judged
+    assert seen < true
+    assert abs(last.state.loss - true) < 0.4 * abs(seen - true)

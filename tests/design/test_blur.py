@@ -213,3 +213,25 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, ch
         ahead, back = (value(heights["lens.back"] + s * step * way) for s in (1, -1))
     slope = ((ahead - back) / (2 * step)).item()
     assert (gradient * way).sum().item() == pytest.approx(slope, rel=0.01)
+
+
+def test_light_of_parts_of_the_source_sees_the_shade_of_a_mirror_before_the_lens(sun):
+    """The shade moves with the direction: light at its border is blurred more than elsewhere."""
+    data = sun.to_data()
+    (lens,), (image,) = data["elements"], data["images"]
+    fold = {"kind": "mirror", "name": "fold", "half_width": [0.7, 1], "tilt": [45, 0, 0]}
+    fold |= {"face": {"shape": "plane"}, "position": [0, 0, 0]}
+    lens = lens | {"tilt": [-90, 0, 0], "position": [0, 3, 0]}
+    screen = image["receiver"] | {"tilt": [-90, 0, 0], "position": [0, 8, 0]}
+    shaded = Scene.from_data(
+        data | {"elements": [fold, lens], "images": [image | {"receiver": screen}]}
+    )
+    heights, margin = lens_of(sun, -0.12), (4, 4)
+    blur = LensBlur(Blur.of(shaded, sun.optic.base.height))
+    all_of_it = BeamPlan(shaded, Corners(96, 96, 256)).trace(heights, margin).flux
+    of_middle, of_parts = (
+        (plan_of(shaded, cells, blur=blur).trace(heights, margin).flux - all_of_it).norm()
+        for cells in (Corners(256, 256), Corners(256, 256, 4))
+    )
+    assert of_middle > 0.02 * all_of_it.norm()
+    assert of_parts < 0.5 * of_middle

@@ -28,6 +28,7 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.plan import Plan, precision_of
 from workbench.optics.samples import Corners
+from workbench.optics.sources.origins import spread
 from workbench.scene import GaussianFilter, Scene
 
 # Places of the lens that are looked at, and cells of the source: its middle and its rim.
@@ -99,6 +100,15 @@ class LensBlur:
             x, y = change.half_extent
             change = replace(change, half_extent=(factor * x, factor * y))
         return replace(self, mean=self.mean.scaled(factor), change=change)
+
+    def of_parts(self, count: int) -> Self:
+        """The blur of so many parts of the source, whose middles are traced each."""
+        shape, (w_x, w_y) = self.mean.shape, self.mean.widths
+        places = spread(count, shape)
+        # Mean squares of places of the source, whose half-widths count as 1.
+        whole = {"rectangle": 1 / 3, "ellipse": 1 / 4}[shape]
+        x, y = (math.sqrt(1 - each**2 @ places.share / whole) for each in (places.x, places.y))
+        return replace(self, mean=replace(self.mean, widths=(x * w_x, y * w_y)))
 
     @property
     def suits_rays(self) -> bool:
@@ -296,8 +306,9 @@ def plan_of(
     """The plan of images of a scene.
 
     `cells`, `mirrored`: see `BeamPlan`; `blur`: what the parts of the lens make of the source: only
-    light of its middle is traced then; `scattering`: what a diffuser makes of the light that comes
-    to the receiver; `rays`: whether light that the source blurs is drawn as rays, not beams.
+    light of its middle is traced then, or of the middles of so many parts of it as there are
+    origins; `scattering`: what a diffuser makes of the light that comes to the receiver; `rays`:
+    whether light that the source blurs is drawn as rays, not beams.
     """
     pixels = scene.receiver.pixels
     if scattering is not None:
@@ -307,8 +318,11 @@ def plan_of(
         return BlurredPlan(finer, scattering, pixels)
     if blur is None:
         return BeamPlan(scene, cells, mirrored=mirrored)
-    of_middle = _finer(scene, blur.mean.parts).model_copy(update={"source": scene.source.sharp})
-    corners = Corners(cells[0], cells[1])
+    corners = Corners(*cells)
+    blur = blur.of_parts(corners.origins)
+    of_middle = _finer(scene, blur.mean.parts)
+    if corners.origins == 1:
+        of_middle = of_middle.model_copy(update={"source": scene.source.sharp})
     if rays:
         # Digits for light that is seen through the blur: parts of its width, not of pixels.
         seen = _finer(scene, 1 / math.floor(min(blur.mean.widths)))
