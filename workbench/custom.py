@@ -222,6 +222,8 @@ def image(arrival: Arrival, screen: Screen, filter: Filter | None = None) -> Ten
 class _Between:
     """Refraction between two indices, which may be tensors; an `Interface`."""
 
+    compiled = False
+
     def __init__(self, before: Number, behind: Number) -> None:
         self.before, self.behind = before, behind
 

@@ -55,7 +55,7 @@ class TestBareAndClear:
         assert left_out == ("coating", "absorption")
         assert scene == make_scene({"lens.reflection": "fresnel"})
         scene, left_out = bare_and_clear(make_scene({"lens.reflection": "none"}))
-        assert left_out == ("faces that reflect nothing",)
+        assert left_out == ("reflectance of the faces",)
         assert scene == make_scene({"lens.reflection": "fresnel"})
 
 

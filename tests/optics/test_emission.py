@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import TransmittanceLaw
+from workbench.optics.interfaces import laws_of
 from workbench.optics.path import Path
 from workbench.optics.sources.emission import covering_caps, entering
 from workbench.optics.sources.origins import spread
@@ -21,7 +21,7 @@ GRID = {"kind": "grid", "center": [0, 0.1, -1], "half_width": [1, 1], "points": 
 @pytest.mark.parametrize("distance", [1e-6, 1e-3, 0.5, 5.0, 1e3])
 def test_a_square_seen_from_its_axis(make_scene, distance):
     scene = make_scene({"source": POINT | {"position": [0, 0, -distance]}})
-    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    light = entering(scene.source, scene.optic, laws_of(scene.optic)[0])
     square = 4 * np.arcsin(1 / (1 + distance**2))  # its solid angle
     rim = np.sqrt(distance**2 / (distance**2 + 2))
     cap = 2 * np.pi * (2 / (distance**2 + 2)) / (1 + rim)
@@ -36,7 +36,7 @@ def test_a_square_seen_from_its_axis(make_scene, distance):
 )
 def test_the_account_is_that_of_many_rays(make_scene, source, emission):
     scene = make_scene({"source": source | {"rays": 1 << 15, "emission": emission}})
-    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    light = entering(scene.source, scene.optic, laws_of(scene.optic)[0])
     lost = Path.of(scene, ControlNet.of(scene.optic)).lost
     assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=5e-4)
     assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=5e-4)

@@ -21,6 +21,8 @@ MESH = POINT | {"intersection": {"method": "mesh"}}
 class Unchanged:
     """An interface that lets all light pass straight on."""
 
+    compiled = False
+
     def turn(self, rays, meeting):
         flux = torch.where(meeting.met, rays.flux, 0.0)
         return Passed(RayBundle(meeting.position, rays.direction, flux, meeting.met), {})

@@ -88,7 +88,7 @@ def cross_check(
 
     Mitsuba takes Fresnel's equations for unpolarised light; where the scene takes Schlick's
     approximation, the difference is in the result. In both what is reflected is lost. Coatings,
-    faces that reflect nothing, and fields of a lens that take light are left out of both.
+    other laws of reflection, and fields of a lens that take light are left out of both.
 
     `rays`: rays for each of the two, at least. Raises `Refused` if Mitsuba is not installed, pixels
     are not square, or the lens is no body; `RunFailed` if no light reaches the screen.
@@ -166,9 +166,9 @@ def _bare_and_clear(lens: Lens) -> tuple[Lens, list[str]]:
     lossy = [field.name for field in lens.fields() if field.mark(TakesLight)]
     without = {name: Lens.model_fields[name].default for name in lossy}
     left_out = [name for name in lossy if getattr(lens, name) != without[name]]
-    if lens.coating is not None or lens.reflection == "none":
+    if lens.coating is not None or lens.reflection not in ("fresnel", "schlick"):
         without |= {"coating": None, "reflection": "fresnel"}
-        left_out.insert(0, "coating" if lens.coating is not None else "faces that reflect nothing")
+        left_out.insert(0, "reflectance of the faces" if lens.coating is None else "coating")
     return lens.model_copy(update=without), left_out
 
 

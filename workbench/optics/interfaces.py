@@ -1,6 +1,7 @@
 """What a face does to the light that meets it: refraction, transmittance, reflection."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple, Protocol, TypeVar, cast
 
 import numpy as np
@@ -16,8 +17,37 @@ from workbench.scene import Lens
 Cosine = TypeVar("Cosine", Tensor, Array, float)
 
 
+class Law(Protocol):
+    """What decides how much of the light a face between two media refracts."""
+
+    @property
+    def ratio(self) -> float:
+        """Refractive index before the face over that behind it."""
+        ...
+
+    def at(self, cos_in: Cosine, cos_out: Cosine) -> Cosine:
+        """Part of the light that is refracted.
+
+        Parameters
+        ----------
+        cos_in, cos_out : Tensor, ndarray or float
+            Cosines of the angles of incidence and refraction.
+        """
+        ...
+
+
+def laws_of(lens: Lens) -> tuple[Law, Law]:
+    """Those of the entrance face and of the exit face."""
+    entering, leaving = 1 / lens.index, lens.index
+    if lens.coating is None:
+        law = _LAWS[lens.reflection]
+        return law(entering), law(leaving)
+    front, back = lens.coating
+    return TransmittanceLaw.constant(entering, front), TransmittanceLaw.constant(leaving, back)
+
+
 class TransmittanceLaw(NamedTuple):
-    """What decides how much of the light a face between two media refracts.
+    """A `Law` that the compiled train knows.
 
     Attributes
     ----------
@@ -52,27 +82,8 @@ class TransmittanceLaw(NamedTuple):
         """The same reflectance at all angles below that of total reflection."""
         return cls(ratio, 1 - reflectance, 0.0, False)
 
-    @classmethod
-    def of(cls, lens: Lens) -> tuple["TransmittanceLaw", "TransmittanceLaw"]:
-        """Those of the entrance face and of the exit face."""
-        ratios = 1 / lens.index, lens.index
-        if lens.coating is not None:
-            entrance, leaving = map(cls.constant, ratios, lens.coating)
-        elif lens.reflection == "none":
-            entrance, leaving = (cls.constant(ratio, 0.0) for ratio in ratios)
-        else:
-            bare = cls.fresnel if lens.reflection == "fresnel" else cls.schlick
-            entrance, leaving = map(bare, ratios)
-        return entrance, leaving
-
     def at(self, cos_in: Cosine, cos_out: Cosine) -> Cosine:
-        """Part of the light that is refracted; 0 at grazing incidence of bare faces.
-
-        Parameters
-        ----------
-        cos_in, cos_out : Tensor, ndarray or float
-            Cosines of the angles of incidence and refraction.
-        """
+        """Part of the light that is refracted, see `Law.at`; 0 at grazing incidence if bare."""
         if self.exact:
             return cast(Cosine, fresnel(self.ratio, cos_in, cos_out))
         cos = cos_in if self.ratio < 1 else cos_out
@@ -81,6 +92,13 @@ class TransmittanceLaw(NamedTuple):
     def cast(self, kind: type[np.floating[Any]]) -> "TransmittanceLaw":
         """The same law for kernels of a float type."""
         return TransmittanceLaw._make([*map(kind, self[:3]), self.exact])
+
+
+_LAWS: Mapping[str, Callable[[float], Law]] = {
+    "fresnel": TransmittanceLaw.fresnel,
+    "schlick": TransmittanceLaw.schlick,
+    "none": partial(TransmittanceLaw.constant, reflectance=0.0),
+}
 
 
 def normal_reflectance(index: float) -> float:
@@ -145,7 +163,15 @@ class Passed(NamedTuple):
 
 
 class Interface(Protocol):
-    """Turns rays that have met a face, and takes its share of their flux."""
+    """Turns rays that have met a face, and takes its share of their flux.
+
+    Attributes
+    ----------
+    compiled : bool
+        Whether the compiled train knows it; else rays pass it by `turn` alone.
+    """
+
+    compiled: bool
 
     def turn(self, rays: RayBundle, meeting: Meeting) -> Passed:
         """The light that goes on.
@@ -171,6 +197,8 @@ class Reflection:
         Key of the rest in the light account.
     """
 
+    compiled = True
+
     def __init__(self, reflectance: float, absorbed: str) -> None:
         self.reflectance, self.absorbed = reflectance, absorbed
 
@@ -190,7 +218,7 @@ class Refraction:
 
     Parameters
     ----------
-    law : TransmittanceLaw
+    law : Law
         The refractive indices, and how much of the light is refracted.
     reflected : str
         Key in the light account of what is reflected where the rest is refracted.
@@ -204,7 +232,7 @@ class Refraction:
 
     def __init__(
         self,
-        law: TransmittanceLaw,
+        law: Law,
         reflected: str,
         absorption: float = 0.0,
         total: str | None = "total_reflection",
@@ -212,6 +240,7 @@ class Refraction:
     ) -> None:
         self.law, self.reflected, self.absorption = law, reflected, absorption
         self.total, self.absorbed = total, absorbed
+        self.compiled = isinstance(law, TransmittanceLaw)
 
     def turn(self, rays: RayBundle, meeting: Meeting) -> Passed:
         """The refracted light; see `Interface.turn`."""

@@ -27,7 +27,7 @@ from workbench.optics.fixed_faces import (
     through_aperture,
 )
 from workbench.optics.glass_face import Glass, GlassFace
-from workbench.optics.interfaces import Refraction
+from workbench.optics.interfaces import Refraction, TransmittanceLaw
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.rays import Arrival, Vector, seen
@@ -73,12 +73,14 @@ class SampledTrain(NamedTuple):
             return None
         (first, *rest), origins = path.shaped, emitter.origins
         surface, glass = first.surface, None
-        if not isinstance(surface, BSplineSurface) or surface.subdivisions is not None:
+        if not isinstance(surface, BSplineSurface) or not surface.compiled:
             return None
         match fixed:
-            case (FaceStep(Plane(z=z), Refraction(law=law, reflected=name), _, None),) if (
-                first.frame is None and _alike(origins)
-            ):
+            case (
+                FaceStep(
+                    Plane(z=z), Refraction(law=TransmittanceLaw() as law, reflected=name), _, None
+                ),
+            ) if first.frame is None and _alike(origins):
                 net, level = surface.net, surface.level
                 lines = None if _are_even(samples) else (places(samples, 0), places(samples, 1))
                 front = fixed[0], name, law, z + path.datum

@@ -13,7 +13,7 @@ from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.optics.interfaces import Interface, Reflection, Refraction, TransmittanceLaw
+from workbench.optics.interfaces import Interface, Reflection, Refraction, TransmittanceLaw, laws_of
 from workbench.optics.surfaces import BSplineSurface, Surface, fixed_surface
 from workbench.scene import (
     Diffuser,
@@ -110,7 +110,7 @@ def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
     before = Rectangle(lens.half_width) if along.by_area else outline
     kinds = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
     inside = along.key("total_reflection"), along.key("absorbed")
-    media = zip(TransmittanceLaw.of(lens), (0.0, lens.absorption), kinds, strict=True)
+    media = zip(laws_of(lens), (0.0, lens.absorption), kinds, strict=True)
     for placed, (law, absorption, (reflected, missed)) in zip(
         lens.placed_faces, media, strict=True
     ):

@@ -9,7 +9,7 @@ import torch
 from tests.optics.points import GRID, POINT
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.interfaces import TransmittanceLaw
+from workbench.optics.interfaces import laws_of
 from workbench.optics.samples import Corners, Crowd, places, places_of_points
 from workbench.optics.sources import emitter_of
 from workbench.optics.sources.emission import entering
@@ -33,7 +33,7 @@ def through_the_face(origins, lens):
 def test_light_of_points_meets_the_face_or_misses_it(make_scene, source, emission):
     scene = make_scene({"source": source | {"emission": emission}})
     origins = emitter_of(scene.source, scene.optic).origins
-    missed = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0]).missed
+    missed = entering(scene.source, scene.optic, laws_of(scene.optic)[0]).missed
     assert through_the_face(origins, scene.optic) == pytest.approx(1 - missed, abs=1e-12)
 
 

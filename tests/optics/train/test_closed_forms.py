@@ -25,7 +25,7 @@ from tests.optics.train.trains import (
 )
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Ellipse, Rectangle
-from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw
+from workbench.optics.interfaces import Reflection, Refraction, laws_of
 from workbench.optics.reference import Reference
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane
@@ -208,7 +208,7 @@ def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dt
     cell = 4 * np.prod(outline.half_width) / np.prod(cells)
     middle = there.density[1:-1, 1:-1] * cell * passed
     behind = nodes.hits[2].numpy()[1:-1, 1:-1]
-    glass = Refraction(TransmittanceLaw.of(scene.optic)[0], "").law
+    glass = Refraction(laws_of(scene.optic)[0], "").law
     cos = 1 / np.sqrt(1 + slope**2)[1:-1, 1:-1]
     inside = np.sqrt(1 - (1 - cos**2) / scene.optic.index**2)
     assert behind == pytest.approx(middle * glass.at(cos, inside) ** 2, rel=10 * accuracy)

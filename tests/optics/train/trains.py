@@ -10,7 +10,7 @@ from tests.scenes import changed
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw
+from workbench.optics.interfaces import Reflection, Refraction, TransmittanceLaw, laws_of
 from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import Corners
@@ -137,7 +137,7 @@ def two_faces(scene, light, cells, dtype=torch.float64):
     surface = BSplineSurface(
         "lens.front", net, flat.datum, dtype, outline=flat.outline, level=level
     )
-    law, _ = TransmittanceLaw.of(scene.optic)
+    law, _ = laws_of(scene.optic)
     steps = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens"), flat.steps[1]
     emitter, given = Light(light, Corners(*cells)), (flat.receiver, flat.datum, flat.outline, 0)
     return Path(emitter, steps, *given, dtype, front_z=level - 0.007)  # the aperture

@@ -15,7 +15,7 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.design.transport.cells import Pair, Vector
 from workbench.geometry.reach import incidence, largest_turn
-from workbench.optics.interfaces import TransmittanceLaw
+from workbench.optics.interfaces import Law, TransmittanceLaw, laws_of
 from workbench.scene import Element, Lens, Scene
 
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
@@ -37,7 +37,7 @@ class Turning(NamedTuple):
     behind: float
     upright: float  # least z of the difference of the directions times the indices
     steepest: float  # largest angle to the normal within the denser medium, radians
-    law: TransmittanceLaw  # of a mirror it has no meaning
+    law: Law  # of a mirror it has no meaning
 
     @classmethod
     def at_exit(cls, optic: Element) -> Self:
@@ -45,13 +45,13 @@ class Turning(NamedTuple):
         upright = _UPRIGHT * optic.deflection
         if not isinstance(optic, Lens):
             return cls(1.0, 1.0, upright, math.inf, TransmittanceLaw.constant(1.0, 0.0))
-        law = TransmittanceLaw.of(optic)[1]
+        law = laws_of(optic)[1]
         return cls(optic.index, 1.0, upright, _steepest(law), law)
 
     @classmethod
     def at_entrance(cls, lens: Lens) -> Self:
         """That of the entrance face of a lens."""
-        law = TransmittanceLaw.of(lens)[0]
+        law = laws_of(lens)[0]
         return cls(1.0, lens.index, _UPRIGHT * abs(lens.index - 1), _steepest(law), law)
 
     def passing(self, turn: Array, spread: Array | float = 0.0) -> Array:
@@ -109,7 +109,7 @@ class Turning(NamedTuple):
         return x, y, z
 
 
-def _steepest(law: TransmittanceLaw) -> float:
+def _steepest(law: Law) -> float:
     """Largest angle in the denser medium at which a face lets enough light pass, radians."""
     index = max(law.ratio, 1 / law.ratio)
     most = math.asin(math.sin(_GRAZING) / index)
@@ -118,7 +118,7 @@ def _steepest(law: TransmittanceLaw) -> float:
     return float(inside[part >= _GOOD * part[0]].max())
 
 
-def _transmitted(law: TransmittanceLaw, inside: Array) -> Array:
+def _transmitted(law: Law, inside: Array) -> Array:
     """Part of the light that passes, by its angle to the normal in the denser medium, radians."""
     index = max(law.ratio, 1 / law.ratio)
     square = 1 - (index * np.sin(inside)) ** 2

@@ -52,7 +52,7 @@ class BSplineSurface:
     ) -> None:
         self.name, self.outline = name, outline or Rectangle(net.half_width)
         self.kind = "B-spline" if subdivisions is None else "triangle mesh"
-        self.net, self.subdivisions = net, subdivisions
+        self.net, self.subdivisions, self.compiled = net, subdivisions, subdivisions is None
         self.level = datum if level is None else level
         self.z, self.behind = self.level - datum, behind
         self._datum, self._dtype, self._device = datum, dtype, device

@@ -45,7 +45,7 @@ class Sag:
     the derivatives of the root, by rays and by all that the sag depends on (implicit function).
     """
 
-    kind = "sag"
+    kind, compiled = "sag", False
 
     def __init__(
         self, sag: SagFunction, outline: Outline, name: str = "sag", freeform: bool = True
@@ -64,6 +64,14 @@ class Sag:
 
     def meet_unbounded(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """As `meet`, also beside the outline."""
+        # The search itself has gradients, also where nothing depends on parameters.
+        changing = self.freeform or any(
+            part.requires_grad for part in rays.position + rays.direction
+        )
+        with torch.set_grad_enabled(torch.is_grad_enabled() and changing):
+            return self._meet(rays)
+
+    def _meet(self, rays: RayBundle) -> Meeting:
         (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
         forward = rays.alive & (d_z > 0)
         steep = torch.where(forward, d_z, 1.0)
@@ -162,7 +170,7 @@ class Conic:
     each line has a root between ``low`` and ``high``.
     """
 
-    freeform = False
+    freeform, compiled = False, True
 
     def __init__(
         self,

@@ -40,6 +40,8 @@ class Surface(Protocol):
     freeform : bool
         Whether it depends on control heights; rays before the first such surface stay as they are
         during a run.
+    compiled : bool
+        Whether the compiled train knows it; else rays meet it by `meet` alone.
     outline : Outline
         What of it is glass; centred on the axis of its frame.
     """
@@ -47,6 +49,7 @@ class Surface(Protocol):
     name: str
     kind: str
     freeform: bool
+    compiled: bool
     outline: Outline
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
@@ -79,6 +82,7 @@ class Plane:
 
     kind = "plane"
     freeform = False
+    compiled = True
 
     def __init__(self, name: str, z: float, outline: Outline) -> None:
         self.name = name

@@ -24,7 +24,7 @@ from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.samples import Corners
-from workbench.optics.surfaces import BSplineSurface, Conic, Plane
+from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.train.elements import ABSORBED, MET_FLUX, RUNS, STEEP_X, SUMS
 from workbench.optics.train.entries import Last, entry_of, is_known
 from workbench.optics.train.faces import FurtherFaces
@@ -81,13 +81,8 @@ class CompiledTrain:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the reference makes of a path."""
-        known = all(
-            isinstance(step.surface, Plane | Conic)
-            or (isinstance(step.surface, BSplineSurface) and step.surface.subdivisions is None)
-            for step in path.shaped
-        )
-        turn = all(isinstance(step.interface, Refraction | Reflection) for step in path.shaped)
-        return is_known(path) and known and turn and path.receiver.compiled
+        known = all(step.surface.compiled and step.interface.compiled for step in path.shaped)
+        return known and path.receiver.compiled and is_known(path)
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool] = (False, False)) -> None:
         self._path, self._entry = path, entry_of(path, mirrored)

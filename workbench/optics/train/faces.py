@@ -164,7 +164,7 @@ def _critical(kind: type[np.floating[Any]]) -> float:
 def _interface(step: FaceStep) -> tuple[TransmittanceLaw, float, float]:
     """Transmittance, absorption of the medium before it, and reflectance of a mirror."""
     match step.interface:
-        case Refraction(law=law, absorption=absorption):
+        case Refraction(law=TransmittanceLaw() as law, absorption=absorption):
             return law, absorption, 1.0
         case Reflection(reflectance=reflectance):
             return _ANY_LAW, 0.0, reflectance
