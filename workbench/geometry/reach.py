@@ -39,8 +39,9 @@ def least_turn(receiver: AnyReceiver, place: Array, way: Array, onwards: int = 1
     """
     if isinstance(receiver, FarField):
         return _to_far_field(receiver, way * [1.0, 1.0, onwards])
-    assert isinstance(receiver, Screen)
-    return _to_screen(receiver, place, way)
+    if isinstance(receiver, Screen):
+        return _to_screen(receiver, place, way)
+    return np.zeros(len(way))  # of another kind nothing is known
 
 
 def projected_solid_angle(rim: Array, place: Array, normal: Array) -> Array:
