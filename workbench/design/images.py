@@ -3,7 +3,6 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -12,7 +11,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.design.lens_blur import LensBlur, plan_of
 from workbench.design.lens_state import FurtherLight, LensState, Step
-from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
+from workbench.design.loss import AskedLight, Residual, check_finite, measure_of, paper_loss, share
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import ImageBlur, convolved
 from workbench.extended.deblur import wanted_light
@@ -33,14 +32,6 @@ _PIXEL = 1.9
 # trace, image and gradients, with one freeform face and with two, of which the trace takes most;
 # and that of a ray.
 _OF_A_BOX, _OF_A_RAY = (0.3, 0.75), 0.15
-
-
-class AskedLight(NamedTuple):
-    """Light that an image shall have."""
-
-    flux: float
-    # By which the part of it that is missing counts in the error, beside that of the image.
-    weight: float = 0.0
 
 
 class WideImage:
@@ -72,14 +63,14 @@ class WideImage:
         asked_light: AskedLight | None = None,
         scattering: ImageBlur | None = None,
     ) -> None:
-        self._scene, receiver = scene, scene.receiver
+        receiver = scene.receiver
         self.rays = blur is not None and blur.suits_rays
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
         self._plan = plan_of(scene, cells, mirrored, blur, scattering, self.rays)
-        self._margin, self._asked_light = (m_x, m_y), asked_light
+        self._margin = m_x, m_y
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
         self.blurred = blur is not None or scattering is not None or corners.origins > 1
@@ -107,10 +98,9 @@ class WideImage:
         if kernel is not None and scattering is None:
             wanted /= wanted.sum()
         wanted = wanted / receiver.relative_measure(m_y)
-        self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
+        wide = torch.as_tensor(wanted, dtype=torch.float32, device=device)
+        self._residual = Residual(scene, wide, m_y, asked_light)
         self._relative = measure_of(receiver, device)
-        self._wide_relative = measure_of(receiver, device, m_y)
-        self._scale = self._wanted.norm().item()
 
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """Error relative to the norm of the target, on the wide image, and the step to report.
@@ -118,15 +108,7 @@ class WideImage:
         Raises `RunFailed` if there is no light on the wide image, or the loss is not finite.
         """
         traced = self._plan.trace(heights, self._margin)
-        check_light(traced.flux.detach(), traced.account, self._scene)
-        step = self._step(heights, traced)
-        asked = self._asked_light or AskedLight(traced.account.arrived)
-        error = traced.flux / asked.flux / self._wide_relative - self._wanted
-        error = error / self._scale
-        if asked.weight:
-            missing = 1 - traced.flux.sum() / asked.flux
-            error = torch.cat([error.flatten(), asked.weight * missing[None]])
-        return error, step
+        return self._residual(traced), self._step(heights, traced)
 
     def step(self, heights: Mapping[str, Tensor]) -> Step:
         """The step to report of a lens, also of one that sends no light here."""

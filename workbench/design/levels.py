@@ -11,7 +11,8 @@ from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 
 from workbench.arrays import Array
 from workbench.design.fitted_blur import directions_at_receiver, lens_blur_of
-from workbench.design.images import AnyImage, AskedLight, SeveralImages, WideImage
+from workbench.design.images import AnyImage, SeveralImages, WideImage
+from workbench.design.loss import AskedLight
 from workbench.extended.scattering import film_scene, scattering_of
 from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import of_known_size

@@ -1,5 +1,7 @@
 """How far an image is from the target, and what to say when that cannot be computed."""
 
+from typing import NamedTuple
+
 import numpy as np
 import torch
 from torch import Tensor
@@ -9,6 +11,7 @@ from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.messages import Message
 from workbench.optics.account import Account, loss_of
+from workbench.optics.light import Light
 from workbench.scene import AnyReceiver, Scene
 
 # Losses of a smaller part of the light are not named.
@@ -41,6 +44,42 @@ def paper_loss(flux: Tensor, target_share: Tensor, measure: Tensor | float = 1.0
     difference = density / torch.where(total > 0, total, 1.0) - target_share
     loss: Tensor = torch.linalg.vector_norm(difference) / difference.numel() ** 0.5
     return loss
+
+
+class AskedLight(NamedTuple):
+    """Light that an image shall have."""
+
+    flux: float
+    # By which the part of it that is missing counts in the error, beside that of the image.
+    weight: float = 0.0
+
+
+class Residual:
+    """Errors of all pixels of an image, relative to the norm of the target.
+
+    `wanted` (n_y, n_x): the wanted density as part of all light, on the scene's receiver with
+    ``rows`` more rows on each side; `asked`: light that the image shall have; by default what
+    arrives, however much that is.
+    """
+
+    def __init__(self, scene: Scene, wanted: Tensor, rows: int, asked: AskedLight | None) -> None:
+        self._scene, self._wanted, self._asked = scene, wanted, asked
+        self._relative = measure_of(scene.receiver, wanted.device, rows)
+        self._scale = wanted.norm().item()
+
+    def __call__(self, light: Light) -> Tensor:
+        """Return the errors of an image; and the missing light, where that counts.
+
+        Raises `RunFailed` if there is no light on it.
+        """
+        flux, account = light
+        check_light(flux.detach(), account, self._scene)
+        asked = self._asked or AskedLight(account.arrived)
+        error: Tensor = (flux / asked.flux / self._relative - self._wanted) / self._scale
+        if asked.weight:
+            missing = 1 - flux.sum() / asked.flux
+            error = torch.cat([error.flatten(), asked.weight * missing[None]])
+        return error
 
 
 def relative_error(state: LensState, target: Array) -> float:
