@@ -132,6 +132,20 @@ def test_an_own_paraboloid_of_a_mirror_has_its_focus():
     assert torch.allclose(arrival.row, torch.full_like(X, 5.0), atol=1e-12)
 
 
+def test_a_fixed_sag_has_gradients_by_rays_alone():
+    bowl = Sag(lambda x, y: (x**2 + y**2) / 20, OUTLINE, freeform=False)
+    start = rays(X, Y, -5.0)
+    assert not any(part.requires_grad for part in bowl.meet(start, {}).position)
+    tilt = number(0.01)
+    depth = bowl.meet(rays(X, Y, -5.0, (tilt, 0.0, 1.0)), {}).position[2]
+    (change,) = torch.autograd.grad(depth.sum(), tilt)
+    ahead, behind = (
+        bowl.meet(rays(X, Y, -5.0, (each, 0.0, 1.0)), {}).position[2].sum()
+        for each in (0.01 + 1e-6, 0.01 - 1e-6)
+    )
+    assert float(change) == pytest.approx(float(ahead - behind) / 2e-6, rel=1e-5)
+
+
 def test_the_lines_of_the_manual_run_as_they_stand(tmp_path, monkeypatch, capsys):
     page = path("manual", "own-optics.md").read_text("utf-8")
     own, of_scene = re.findall(r"```python\n(.*?)```", page, re.DOTALL)

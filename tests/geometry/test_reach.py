@@ -34,6 +34,10 @@ def test_least_turn_is_that_to_the_nearest_place(receiver, rng, make_scene):
         assert turn <= np.arccos(cosines.max()) + 1e-7
 
 
+def test_a_receiver_of_another_kind_needs_no_deflection(rng):
+    assert least_turn(None, rng.normal(size=(5, 3)), rng.normal(size=(5, 3))).tolist() == [0.0] * 5
+
+
 def test_light_turned_the_most_leaves_along_the_face():
     n = 1.49
     turn = np.array([0.0, 0.3, largest_turn(n)])

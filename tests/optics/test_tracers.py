@@ -7,7 +7,7 @@ import torch
 from tests.optics.kernels.twins import account
 from tests.optics.points import GRID, POINT, smooth
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Passed
+from workbench.optics.interfaces import Passed, Refraction
 from workbench.optics.path import Path
 from workbench.optics.plan import Tracers
 from workbench.optics.rays import RayBundle
@@ -78,6 +78,34 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     light = Reference(window).image({"lens.back": smooth(scene)}, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0
     assert sum(account(light).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
+
+
+class Half:
+    """A law of a face that refracts half of all light."""
+
+    def __init__(self, ratio):
+        self.ratio = ratio
+
+    def at(self, cos_in, cos_out):
+        return 0.5 * (cos_in + cos_out) / (cos_in + cos_out)
+
+
+@pytest.mark.parametrize("source", [COLLIMATED, POINT], ids=["collimated", "point"])
+def test_a_law_that_kernels_do_not_know_is_passed_in_torch(make_scene, source):
+    """Before the freeform face light passes it once, and kernels go on from there."""
+    scene = make_scene({"source": source})
+    path = path_of(scene, Corners(40, 40))
+    entrance, exit_face = path.steps
+    for number, compiled in enumerate((True, False)):
+        step = path.steps[number]
+        own = Refraction(Half(step.interface.law.ratio), step.interface.reflected)
+        steps = [entrance, exit_face]
+        steps[number] = step._replace(interface=own)
+        found = changed(path, steps=steps)
+        assert is_compiled(found) is compiled
+        light = Reference(found).arrival({"lens.back": smooth(scene)})
+        half = (1 - light.lost["missed_lens"].sum()) / 2 if compiled else light.rays.flux.sum()
+        assert float(light.lost[step.interface.reflected].sum()) == pytest.approx(float(half))
 
 
 class Measuring(Unchanged):

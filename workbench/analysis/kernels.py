@@ -17,33 +17,9 @@ from workbench.analysis.validation import validate
 from workbench.compiled import collect
 from workbench.design import transport
 from workbench.optics import ready
+from workbench.optics.train.compiled import SMALL
 from workbench.scene import Scene
 
-_TINY = {
-    "version": 3,
-    "elements": [
-        {
-            "kind": "lens",
-            "name": "lens",
-            "half_width": [1, 1],
-            "material": {"index": 1.5},
-            "thickness": 0.5,
-            "reflection": "schlick",
-            "faces": [{"shape": "plane"}, {"shape": "bspline", "control_points": [4, 4]}],
-        }
-    ],
-    "images": [
-        {
-            "receiver": {
-                "kind": "plane",
-                "position": [0, 0, 5],
-                "half_width": [1, 1],
-                "pixels": [1, 1],
-            },
-            "target": {"builtin": "tophat"},
-        }
-    ],
-}
 # Together they use every loop of the independent traces.
 _SOURCES = (
     {"kind": "collimated", "rays": [1, 1]},
@@ -68,9 +44,9 @@ def compile_all(
 def _compile_check(goes_on: Callable[[], bool] = lambda: True) -> None:
     for source in _SOURCES:
         if goes_on():
-            scene = Scene.from_data({**_TINY, "source": source})
+            scene = Scene.from_data({**SMALL, "source": source})
             heights = {"lens.back": np.full((4, 4), 0.1)}
-            validate(scene, np.ones((1, 1)), heights, rays=1)
+            validate(scene, np.ones((2, 2)), heights, rays=1)
             for _ in imaging(scene, heights, accuracy=math.inf):
                 pass
 

@@ -1,10 +1,11 @@
 """Sizes of a run: control points that a lens is worth, and parameters of the paper's method.
 
-Finer nets take longer. Of 256 x 256 pixels, a photograph is 1.03 % off with 624 x 624 control points
-after 7 s of the processor and 0.98 % with 768 x 768 after 11 s; dots on black are 2.3 % off with
-768 x 768 after 7 s, and 1.9 % with 960 x 960 after 11 s. So 480 is the net for the usual detail of
-256 pixels, up to 960 that for sharp edges, and 1152 for the sharpest. A target is worth the highest frequency of its detail, and
-nothing is worth more than the blur that a source of some size lays over the screen.
+Finer nets take longer. Of 256 x 256 pixels, a photograph is 1.03 % off with 624 x 624 control
+points after 7 s of the processor and 0.98 % with 768 x 768 after 11 s; dots on black are 2.3 % off
+with 768 x 768 after 7 s, and 1.9 % with 960 x 960 after 11 s. So 480 is the net for the usual
+detail of 256 pixels, up to 960 that for sharp edges, and 1152 for the sharpest. A target is worth
+the highest frequency of its detail, and nothing is worth more than the blur that a source of some
+size lays over the screen.
 
 Each axis is judged by itself, so that a slim screen, or stripes, get a slim net. A method that nets
 of one size suit, as the paper's, gets such a one.

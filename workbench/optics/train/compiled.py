@@ -32,8 +32,7 @@ from workbench.optics.train.landing import landing_of
 from workbench.optics.train.loops import BESIDE, ON_RECEIVER, back, land
 from workbench.scene import BoxFilter, Filter, Scene
 
-# A scene whose trace compiles the loops.
-_SMALL = {
+SMALL: Mapping[str, Any] = {
     "format": "freeform-scene",
     "version": 3,
     "source": {
@@ -65,6 +64,7 @@ _SMALL = {
         }
     ],
 }
+"""A scene whose trace compiles the loops."""
 
 
 class CompiledTrain:
@@ -280,7 +280,7 @@ def _run(bounds: list[int], work: Callable[..., None]) -> None:
 
 def compile_for(dtype: torch.dtype) -> None:
     """Compile the loops for a float type by tracing a few rays and a few samples."""
-    scene = Scene.from_data(_SMALL)
+    scene = Scene.from_data({**SMALL})
     heights = torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64, requires_grad=True)
     for samples in (None, Corners(2, 2)):
         path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=samples)
