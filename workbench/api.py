@@ -83,7 +83,7 @@ def load(path: File) -> Session:
     >>> from resources import path
     >>> session = load(path("examples", "tophat.json"))
     >>> session.scene.optic.net_shape, session.target.shape
-    ((624, 624), (256, 256))
+    ((480, 480), (256, 256))
     """
     return open_design(Path(path))
 

@@ -41,6 +41,8 @@ _NEARLY_ALL, _BEYOND = 0.999, 1.25
 # that spread the light; 0.9 in the focus of a bowl, whose image is 0.7 % off with one blur for all
 # of it and 1.7 % with polynomials.
 _LEFT = 0.5
+# Rows of a grid for transforms, a multiple of so many where a pixel has an odd number of parts.
+_ROWS = 16
 # Rays are spread over parts of pixels by this filter, nearly a quadratic B-spline.
 _FILTER = GaussianFilter(size=(3, 3), alpha=1.685)
 # A uniform blur of this width or more, in pixels, makes light of rays as even as that of beams.
@@ -158,8 +160,11 @@ class LightBlurring:
     def __init__(self, kernels: Tensor, factors: Tensor) -> None:
         n_y, n_x = self._shape = factors.shape[1], factors.shape[2]
         m_y, m_x = self._margin = kernels.shape[2] // 2, kernels.shape[3] // 2
-        self._grid = scipy.fft.next_fast_len(n_y + 2 * m_y), scipy.fft.next_fast_len(n_x + 2 * m_x)
         parts = math.isqrt(kernels.shape[1])
+        # Products round differently at the end of a thread's share, if it ends within a vector.
+        rows = _ROWS if parts % 2 else 1
+        g_y = rows * scipy.fft.next_fast_len(math.ceil((n_y + 2 * m_y) / rows))
+        self._grid = g_y, scipy.fft.next_fast_len(n_x + 2 * m_x)
         by_parts = kernels.reshape(-1, parts, parts, *kernels.shape[2:])
         self._kernels, self._factors = [self._waves(each) for each in by_parts], factors
 
