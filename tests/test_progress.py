@@ -54,7 +54,7 @@ def test_kernels_end_between_two_parts():
 
     def work(part):
         done.append(part)
-        if current_thread() is not caller:  # this thread is asked, the others take what is left
+        if current_thread() is not caller:  # that one alone is asked; the rest would take all parts
             ended.wait(timeout=10)
 
     with pytest.raises(Interrupted), given_up_when(given_up):

@@ -132,17 +132,21 @@ def test_widths_change_as_rays_of_the_source_say(sun):
     assert abs(found - 1) > 0.008
 
 
-def test_a_fold_mirror_does_not_change_how_the_blur_changes(sun):
-    data = sun.to_data()
+def folded(scene, half_width):
+    """The scene behind a fold mirror: light along +z goes on along +y."""
+    data = scene.to_data()
     (lens,), (image,) = data["elements"], data["images"]
-    fold = {"kind": "mirror", "name": "fold", "half_width": [3, 3], "tilt": [45, 0, 0]}
+    fold = {"kind": "mirror", "name": "fold", "half_width": half_width, "tilt": [45, 0, 0]}
     fold |= {"face": {"shape": "plane"}, "position": [0, 0, 0]}
-    # Light along +z goes on along +y.
     lens = lens | {"tilt": [-90, 0, 0], "position": [0, 3, 0]}
     screen = image["receiver"] | {"tilt": [-90, 0, 0], "position": [0, 8, 0]}
-    data |= {"elements": [fold, lens], "images": [image | {"receiver": screen}]}
-    folded, heights = Scene.from_data(data), lens_of(sun, 0.1)
-    plain, behind = (BlurChange.of(each, heights) for each in (sun, folded))
+    behind = {"elements": [fold, lens], "images": [image | {"receiver": screen}]}
+    return Scene.from_data(data | behind)
+
+
+def test_a_fold_mirror_does_not_change_how_the_blur_changes(sun):
+    heights = lens_of(sun, 0.1)
+    plain, behind = (BlurChange.of(each, heights) for each in (sun, folded(sun, [3, 3])))
     np.testing.assert_allclose(behind.factors, plain.factors, atol=1e-6)
 
 
@@ -217,16 +221,7 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, ch
 
 def test_light_of_parts_of_the_source_sees_the_shade_of_a_mirror_before_the_lens(sun):
     """The shade moves with the direction: light at its border is blurred more than elsewhere."""
-    data = sun.to_data()
-    (lens,), (image,) = data["elements"], data["images"]
-    fold = {"kind": "mirror", "name": "fold", "half_width": [0.7, 1], "tilt": [45, 0, 0]}
-    fold |= {"face": {"shape": "plane"}, "position": [0, 0, 0]}
-    lens = lens | {"tilt": [-90, 0, 0], "position": [0, 3, 0]}
-    screen = image["receiver"] | {"tilt": [-90, 0, 0], "position": [0, 8, 0]}
-    shaded = Scene.from_data(
-        data | {"elements": [fold, lens], "images": [image | {"receiver": screen}]}
-    )
-    heights, margin = lens_of(sun, -0.12), (4, 4)
+    shaded, heights, margin = folded(sun, [0.7, 1]), lens_of(sun, -0.12), (4, 4)
     blur = LensBlur(Blur.of(shaded, sun.optic.base.height))
     all_of_it = BeamPlan(shaded, Corners(96, 96, 256)).trace(heights, margin).flux
     of_middle, of_parts = (

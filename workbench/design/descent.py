@@ -23,9 +23,9 @@ from workbench.optics.account import UnbalancedAccount
 _FEWEST, _MOST, _BYTES = 20, 150, 100e6
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
-# Steps are so much longer than the model of the curvature has them, which is steepest along the
-# waves that it does not know. After 15 steps of lengths 1, 1.25, 1.5 and 1.75 a photograph is
-# 0.96, 0.94, 0.91 and 0.92 % off, a darker one 1.63, 1.55, 1.48 and 1.47 %.
+# Steps are longer by this factor than the model of the curvature has them. After 15 steps of
+# lengths 1, 1.25, 1.5 and 1.75 a photograph is 0.96, 0.94, 0.91 and 0.92 % off, a darker one 1.63,
+# 1.55, 1.48 and 1.47 %.
 _LONGER = 1.5
 # A step whose curvature is a smaller part of the largest that it could be says nothing of it.
 _LEAST_CURVATURE = 1e-10

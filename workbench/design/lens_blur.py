@@ -41,7 +41,7 @@ _NEARLY_ALL, _BEYOND = 0.999, 1.25
 # that spread the light; 0.9 in the focus of a bowl, whose image is 0.7 % off with one blur for all
 # of it and 1.7 % with polynomials.
 _LEFT = 0.5
-# Rows of a grid for transforms, a multiple of so many where a pixel has an odd number of parts.
+# Rows of a grid for transforms are a multiple of this where a pixel has an odd number of parts.
 _ROWS = 16
 # Rays are spread over parts of pixels by this filter, nearly a quadratic B-spline.
 _FILTER = GaussianFilter(size=(3, 3), alpha=1.685)
@@ -104,13 +104,12 @@ class LensBlur:
         return replace(self, mean=self.mean.scaled(factor), change=change)
 
     def of_parts(self, count: int) -> Self:
-        """The blur of so many parts of the source, whose middles are traced each."""
-        shape, (w_x, w_y) = self.mean.shape, self.mean.widths
-        places = spread(count, shape)
+        """The blur of each of ``count`` parts of the source, whose middles are traced."""
+        places = spread(count, self.mean.shape)
         # Mean squares of places of the source, whose half-widths count as 1.
-        whole = {"rectangle": 1 / 3, "ellipse": 1 / 4}[shape]
+        whole = {"rectangle": 1 / 3, "ellipse": 1 / 4}[self.mean.shape]
         x, y = (math.sqrt(1 - each**2 @ places.share / whole) for each in (places.x, places.y))
-        return replace(self, mean=replace(self.mean, widths=(x * w_x, y * w_y)))
+        return self.wider(x, y)
 
     @property
     def suits_rays(self) -> bool:
@@ -118,7 +117,7 @@ class LensBlur:
         return self.mean.points is None and min(self.mean.widths) >= _EVEN_RAYS
 
     def wider(self, x: float, y: float) -> Self:
-        """Return it with a mean so many times as wide along x and along y."""
+        """Return it with a mean that is wider by the factors x and y along these axes."""
         widths = x * self.mean.widths[0], y * self.mean.widths[1]
         return replace(self, mean=replace(self.mean, widths=widths))
 
@@ -128,7 +127,7 @@ class LensBlur:
         return self.image_blur_in(self.mean.parts)
 
     def image_blur_in(self, parts: int) -> ImageBlur:
-        """See `image_blur`; for so many parts of a pixel along each axis."""
+        """See `image_blur`; for ``parts`` parts of a pixel along each axis."""
         mean, change = self.mean, self.change
         places = (np.arange(parts) + 0.5) / parts - 0.5
         kernels = mean.at(places)[None]
@@ -311,7 +310,7 @@ def plan_of(
     """The plan of images of a scene.
 
     `cells`, `mirrored`: see `BeamPlan`; `blur`: what the parts of the lens make of the source: only
-    light of its middle is traced then, or of the middles of so many parts of it as there are
+    light of its middle is traced then, or of the middles of as many parts of it as there are
     origins; `scattering`: what a diffuser makes of the light that comes to the receiver; `rays`:
     whether light that the source blurs is drawn as rays, not beams.
     """

@@ -158,7 +158,7 @@ def cells_of(
     """Cells of the image by which a level compares lenses.
 
     `sharp`: whether light of the middle of the source stands for all of it, as with a blur; at a
-    level of more origins, where beams are not too many, light of the middles of so many parts of
+    level of more origins, where beams are not too many, light of the middles of as many parts of
     it; `rays`: whether it is drawn as rays at the corners of cells, if the level has them.
     """
     density = level.rays if rays and level.rays is not None else level
