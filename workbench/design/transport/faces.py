@@ -106,8 +106,33 @@ def _axis(count: int, degree: int, places: int) -> _Axis:
     mass = (value.T @ value).toarray()
     # A trace of ridge: with few places a mass matrix need not be definite.
     mass += 1e-12 * np.trace(mass) / count * np.eye(count)
-    stretch, modes = scipy.linalg.eigh((slope.T @ slope).toarray(), mass)
+    stretch, modes = _eigenvectors_of_mirrored((slope.T @ slope).toarray(), mass)
     return _Axis(value, slope, modes, stretch)
+
+
+def _eigenvectors_of_mirrored(stiffness: Array, mass: Array) -> tuple[Array, Array]:
+    """Eigenvalues and vectors of two matrices that are the same when counted from the other end.
+
+    Vectors that are even and those that are odd are found apart, in a quarter of the time.
+    """
+    half = len(mass) // 2
+    rest = len(mass) - half  # with the middle of an odd number
+    values, modes = np.empty(len(mass)), np.zeros(mass.shape)
+    for sign, size, found in ((1, rest, slice(None, rest)), (-1, half, slice(rest, None))):
+        pair = (
+            _folded(_folded(matrix, size, half, sign).T, size, half, sign)
+            for matrix in (stiffness, mass)
+        )
+        values[found], vectors = scipy.linalg.eigh(*pair)
+        modes[:size, found] = vectors
+        modes[::-1][:half, found] = sign * vectors[:half]
+    return values, modes
+
+
+def _folded(rows: Array, size: int, half: int, sign: int) -> Array:
+    folded = rows[:size].copy()
+    folded[:half] += sign * rows[::-1][:half]
+    return folded
 
 
 class FaceLight:
