@@ -34,9 +34,6 @@ _NEAR = 0.35
 _PATIENCE, _COARSE_PROGRESS, _FINE_PROGRESS = 3, 0.03, 0.1
 # Rows whose envelopes are written at the same time.
 _BLOCK = 8
-# Stretch of the map along an axis beyond a whole number up to which a cell is not cut: even light
-# gets waves of a tenth where cells are 1.1 apart, and parts of cells 0.65 apart have 6 %.
-_UNCUT = 0.1
 # Most parts along an axis into which a cell is cut where the map stretches it.
 _MOST_PARTS = 8
 
@@ -334,4 +331,4 @@ def _push(mass, to_0, to_1, fewest, begin, end, pushed):  # type: ignore[no-unty
 
 @jit()
 def _parts(stretch):  # type: ignore[no-untyped-def]
-    return int(min(max(math.ceil(stretch - _UNCUT), 1), _MOST_PARTS))
+    return int(min(max(math.ceil(stretch), 1), _MOST_PARTS))
