@@ -35,7 +35,7 @@ def docks(window: MainWindow) -> Iterator[QPixmap]:
         window.commands[f"go_{name}"].trigger()
         settle(_WHILE)
         if name != "scene":
-            yield window.workspace.docks[name].grab()
+            yield window.panes.place(name).grab()
         if name in _MAPS:
             yield from _maps(window, name)
     window.messages.warn(_MESSAGE, ("Do it", window.messages.clear))
@@ -47,7 +47,7 @@ def docks(window: MainWindow) -> Iterator[QPixmap]:
 
 def curve(window: MainWindow) -> Iterator[QPixmap]:
     """The light through focus with its curve."""
-    dock = window.workspace.docks["focus"]
+    dock = window.panes.images
     window.commands["go_focus"].trigger()
     (button,) = (each for each in dock.findChildren(QPushButton) if each.isCheckable())
     button.click()
@@ -120,7 +120,7 @@ def tour(window: MainWindow) -> Iterator[QPixmap]:
 
 
 def _maps(window: MainWindow, name: str) -> Iterator[QPixmap]:
-    dock = window.workspace.docks[name]
+    dock = window.panes.place(name)
     chooser = dock.findChildren(QComboBox)[0]
     for number in range(1, chooser.count()):
         chooser.setCurrentIndex(number)

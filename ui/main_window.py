@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMainWindow
 from resources import EXAMPLES, Example
 from ui.commands.actions import LANGUAGE, THEME, choose_theme, note_language
 from ui.commands.panes import PaneFocus
-from ui.commands.table import NEW
+from ui.commands.table import NEW, WORKSPACE_CHOICES
 from ui.dialogs.gallery import Gallery
 from ui.dialogs.help import TITLE, Help
 from ui.dialogs.start_page import Start
@@ -22,9 +22,10 @@ from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskCutting
 from ui.run.control import CurrentLens
-from ui.window.docks import EarlyParts, Layout, ViewState
+from ui.window.docks import EarlyParts
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
 from ui.window.window_state import WindowState
+from ui.window.workspaces import ViewState, Workspaces
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class MainWindow(QMainWindow):
         document.setParent(self)  # so that it goes after all that listens to it
         self.early = early = EarlyParts(self, document, settings)
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
-        self.forms, self.workspace, self.status = early.forms, early.workspace, early.status
+        self.forms, self.panes, self.status = early.forms, early.panes, early.status
         self._carried = CarriedLens(document, self.messages, self)
         self._carried.noted.connect(self.log.add)
         UnitChange(document, self.messages, self)
@@ -77,12 +78,10 @@ class MainWindow(QMainWindow):
         self.reporter = Reporter(document, lens, messages, dialogs, self)
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
-        self._panes = PaneFocus(
-            self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
-        )
-        self.help = Help(self, self.commands, self._panes, self.messages)
-        self._layout = Layout(self, self.workspace, settings)
-        self._view_state = ViewState(self.commands, self._layout, self.log.add)
+        self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
+        self.help = Help(self, self.commands, self._focus, self.messages)
+        self.workspaces = Workspaces(self, self.panes, settings)
+        self._view_state = ViewState(self.commands, self.workspaces, self.log.add)
         self.loaded: LoadedParts | None = None
         self._leaving = False  # whatever would be lost
         self._to_open: Path | None = None  # as soon as the run has ended
@@ -103,6 +102,8 @@ class MainWindow(QMainWindow):
         self._state.loaded = loaded
         loaded.state_changed.connect(self._show_state)
         loaded.state_changed.connect(self._show_recent)
+        loaded.state_changed.connect(self._watch_run)
+        loaded.check.checked.connect(lambda: self.workspaces.reveal("check", "check"))
         loaded.control.ended.connect(self._end_run)
         self.start_page.open_changed.connect(loaded.follow.hold)
         loaded.follow.hold(self.start_page.page is not None)
@@ -132,9 +133,9 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.start_page.close()
-        self._layout.keep()
+        self.workspaces.keep()
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
-        for dock in self.workspace.docks.values():
+        for dock in self.panes.docks.values():
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
         self.reporter.close()
@@ -235,8 +236,9 @@ class MainWindow(QMainWindow):
             self.files.open(path)
 
     def _add_menus(self) -> None:
-        for dock in self.workspace.docks.values():
-            self.commands.menus["&View"].addAction(dock.toggleViewAction())
+        for name, dock in self.panes.docks.items():
+            if name != "scene":  # which has a command
+                self.commands.menus["&View"].addAction(dock.toggleViewAction())
 
     def _connect(self) -> None:
         self.commands.connect(
@@ -260,22 +262,32 @@ class MainWindow(QMainWindow):
                 "picture_aspect": self.forms.adopt_aspect,
                 **self._chosen.slots(),
                 "revert": self.files.revert,
-                "reset_layout": self._layout.reset,
-                **self._panes.slots(),
+                "reset_layout": self.workspaces.reset,
+                **{
+                    command: partial(self.workspaces.choose, name)
+                    for command, name in WORKSPACE_CHOICES.items()
+                },
+                **self._focus.slots(),
                 **self.help.slots(),
             }
         )
         THEME.offer(self._settings, self.commands, choose_theme)
         note_later = partial(note_language, self.messages.note)
         LANGUAGE.offer(self._settings, self.commands, note_later)
-        self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
+        scene = self.panes.docks["scene"]
+        scene.toggleViewAction().toggled.connect(self.commands["scene_view"].setChecked)
+        self.commands.connect_toggles({"scene_view": scene.setVisible})
+        self.workspaces.changed.connect(self._show_workspace)
+        self._show_workspace(self.workspaces.name)
+        self.workspaces.follow(self.document.session)
+        self.document.session_changed.connect(self.workspaces.follow)
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
         self.document.path_changed.connect(self._show_state)
         self.document.dirty_changed.connect(self.setWindowModified)
         self.document.dirty_changed.connect(self._show_state)
         self.files.view_data = self._view_state.to_data
-        self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
+        self.files.opened.connect(self._show_opened)
         self.files.opened.connect(self._image.report)
         self.document.undo_stack.indexChanged.connect(self._show_state)
         self.forms.refusals_changed.connect(self._show_state)
@@ -293,9 +305,7 @@ class MainWindow(QMainWindow):
 
     def _new(self, example: Example) -> None:
         if self.files.new(example) and example.dock:
-            dock = self.workspace.docks[example.dock]
-            dock.show()
-            dock.raise_()
+            self.panes.show(example.dock)
 
     def _sweep(self) -> None:
         self.forms.commit()
@@ -331,6 +341,21 @@ class MainWindow(QMainWindow):
     def _show_recent(self) -> None:
         menu = self.commands.menus["Open &recent"]
         self._recent.fill(menu, self.files.open_recent, allowed=not self._busy)
+
+    def _show_opened(self) -> None:
+        session = self.document.session
+        if session.heights is not None and self.workspaces.name == "task":
+            self.workspaces.choose("design")
+        self._view_state.restore(session.view)
+
+    def _show_workspace(self, name: str) -> None:
+        shown = next(key for key, value in WORKSPACE_CHOICES.items() if value == name)
+        self.commands[shown].setChecked(True)
+
+    def _watch_run(self) -> None:
+        running = self.loaded is not None and self.loaded.state == "running"
+        if running and self.workspaces.name == "task":
+            self.workspaces.choose("design")
 
     # Slots of the window itself: nothing calls them any more while its parts are taken down.
     def _show_state(self) -> None:

@@ -112,9 +112,9 @@ def undo(window: MainWindow, rng: Random, folder: Path) -> str:
 
 def jump(window: MainWindow, rng: Random, folder: Path) -> str:
     """Click a step in the history."""
-    view = window.workspace.history
-    window.workspace.docks["history"].show()
-    window.workspace.docks["history"].raise_()
+    view = window.panes.history
+    window.panes.docks["history"].show()
+    window.panes.docks["history"].raise_()
     row = rng.randrange(view.model().rowCount())
     index = view.model().index(row, 0)
     view.scrollTo(index)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from matplotlib.figure import Figure
 from PySide6.QtCore import QLocale
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
@@ -110,7 +111,8 @@ def test_a_window_is_translated(speaking, open_window, language, menu, check, do
     window = open_window()
     assert window.menuBar().actions()[0].text() == menu
     assert window.commands["check"].text() == check
-    assert window.workspace.docks["irradiance"].windowTitle() == dock
+    titles = [action.text() for action in window.panes.images.findChildren(QAction)]
+    assert dock in titles
     labels = {label.text() for label in window.forms.findChildren(QLabel)}
     assert field in labels
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, window)

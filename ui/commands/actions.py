@@ -6,7 +6,16 @@ from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QMenuBar, QToolBar, QToolButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QMainWindow,
+    QMenu,
+    QMenuBar,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
 
 from ui.commands.command_search import SEPARATOR
 from ui.commands.panes import PANES
@@ -23,6 +32,7 @@ from ui.commands.table import (
     THEMES,
     TOOLS,
     VIEWS,
+    WORKSPACE_CHOICES,
     Command,
 )
 from ui.widgets import theme
@@ -94,6 +104,7 @@ MENUS: dict[str, list[Any]] = {
         ("Th&eme", list(THEMES)),
         ("La&nguage", list(LANGUAGE_CHOICES)),
         None,
+        ("&Workspace", list(WORKSPACE_CHOICES)),
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
         "reset_layout",
         None,
@@ -126,9 +137,10 @@ CHOICES = [
     list(THEMES),
     list(LANGUAGE_CHOICES),
     list(TOOLS),
+    list(WORKSPACE_CHOICES),
 ]
 """Groups of commands of which one is on."""
-LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
+LOOK = ["exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
 """Those whose state is part of how a design is looked at, and travels with it."""
 
 
@@ -160,6 +172,7 @@ class Commands:
             if button.defaultAction() in labelled:
                 button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         window.addToolBar(self.toolbar)
+        window.menuBar().setCornerWidget(self._workspaces(), Qt.Corner.TopRightCorner)
         self.colour_icons()
 
     def __getitem__(self, name: str) -> QAction:
@@ -220,6 +233,18 @@ class Commands:
         for name, command in COMMANDS.items():
             if command.icon:
                 self[name].setIcon(theme.icon(command.icon, self._window.palette()))
+
+    def _workspaces(self) -> QWidget:
+        bar = QWidget(self._window.menuBar())
+        row = QHBoxLayout(bar)
+        row.setContentsMargins(0, 0, 0, 0)
+        for number, name in enumerate(WORKSPACE_CHOICES, 1):
+            self[name].setIconText(f"{number} {self[name].text()}")
+            button = QToolButton()
+            button.setAutoRaise(True)
+            button.setDefaultAction(self[name])
+            row.addWidget(button)
+        return bar
 
     def _open(self, names: Iterable[str]) -> None:
         self._connected.update(names)

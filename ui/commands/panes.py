@@ -1,8 +1,9 @@
-"""Panes of the window (title, key, initial position), and moving the focus between them."""
+"""Panes of the window, workspaces that show some of them, and moving the focus between panes."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Protocol
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QDockWidget, QToolBar, QWidget
@@ -12,55 +13,115 @@ from ui.widgets.native import application
 
 @dataclass(frozen=True)
 class Pane:
-    """A dock, or the centre."""
+    """A dock, or a view of the image panel in the middle of the window."""
 
     title: str
-    area: Qt.DockWidgetArea | None
     key: str = ""
-    behind: str = ""
-    right_of: str = ""
-    shown: bool = True
+    image: bool = False
 
-
-_LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
-_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_TOP = Qt.DockWidgetArea.TopDockWidgetArea
 
 PANES = {
-    "design": Pane("Design", _LEFT, "1"),
-    "scene": Pane("3D scene", None, "2"),
-    "irradiance": Pane("Irradiance", _TOP, "3"),
-    "target": Pane("Target", _TOP, right_of="irradiance"),
-    "error": Pane("Irradiance − target", _TOP, "4", right_of="target"),
-    "derivative": Pane("Derivative", _TOP, behind="error", shown=False),
-    "surface": Pane("Surface", _TOP, "5", behind="error", shown=False),
-    "manufacture": Pane("Manufacture", _TOP, behind="error", shown=False),
-    "tolerances": Pane("Tolerances", _TOP, behind="error", shown=False),
-    "focus": Pane("Through focus", _TOP, behind="error", shown=False),
-    "photo": Pane("Predicted photo", _TOP, behind="error", shown=False),
-    "check": Pane("Check", _TOP, behind="error", shown=False),
-    "loss": Pane("Loss", _RIGHT, "6"),
-    "section": Pane("Cross-section", _RIGHT, "7", behind="loss", shown=False),
-    "light": Pane("Light account", _RIGHT, behind="loss"),
-    "runs": Pane("Runs", _RIGHT, behind="loss"),
-    "history": Pane("History", _LEFT, "8", behind="design", shown=False),
-    "log": Pane("Log", _RIGHT, "9", behind="loss", shown=False),
+    "design": Pane("Design", "1"),
+    "scene": Pane("3D scene", "2"),
+    "irradiance": Pane("Irradiance", "3", image=True),
+    "target": Pane("Target", image=True),
+    "error": Pane("Difference", "4", image=True),
+    "photo": Pane("Photo", image=True),
+    "surface": Pane("Surface", "5", image=True),
+    "derivative": Pane("Derivative", image=True),
+    "focus": Pane("Through focus", image=True),
+    "check": Pane("Check"),
+    "manufacture": Pane("Manufacture"),
+    "tolerances": Pane("Tolerances"),
+    "light": Pane("Light account"),
+    "loss": Pane("Loss", "6"),
+    "section": Pane("Cross-section", "7"),
+    "runs": Pane("Runs"),
+    "history": Pane("History", "8"),
+    "log": Pane("Log", "9"),
 }
 """By name, in the order in which menus list them and the focus goes.
 
-What a dock holds is made where its libraries are loaded: see `Workspace.put_views`, which
+What a pane holds is made where its libraries are loaded: see `Workspace.put_views`, which
 refuses a table and widgets that do not agree.
 """
 
 
-class PaneFocus(QObject):
-    """Moves the focus between docks, centre and toolbar, and marks the active pane."""
+Tabs = tuple[str, ...]
+"""Docks one behind the other, the front one first."""
 
-    def __init__(
-        self, centre: QWidget, docks: Mapping[str, QDockWidget], toolbar: QToolBar, parent: QObject
-    ) -> None:
+
+@dataclass(frozen=True)
+class Workspace:
+    """What a window shows for one part of the work.
+
+    `image`: the view of the image panel; `left`, `right`: docks beside it, from top to bottom. The
+    3D scene stands at the right of a narrow image, and below a wide one.
+    """
+
+    title: str
+    tip: str
+    image: str
+    left: tuple[Tabs, ...]
+    right: tuple[Tabs, ...]
+
+
+WORKSPACES = {
+    "task": Workspace(
+        "Task",
+        "Describe the light, the element and the image",
+        "target",
+        (("design",),),
+        (("scene",),),
+    ),
+    "design": Workspace(
+        "Design",
+        "Run the design and watch the image",
+        "irradiance",
+        (("design",),),
+        (("scene",), ("loss", "light", "runs", "log")),
+    ),
+    "check": Workspace(
+        "Check",
+        "Verify the image: errors, cross-sections, through focus",
+        "error",
+        (),
+        (("check", "light", "runs"), ("section",)),
+    ),
+    "make": Workspace(
+        "Make",
+        "Make the part: cutters, tolerances, exports",
+        "surface",
+        (),
+        (("scene",), ("manufacture", "tolerances")),
+    ),
+}
+"""By name, in the order of the work."""
+
+
+class Places(Protocol):
+    """Where the panes of a window are."""
+
+    def place(self, name: str) -> QWidget:
+        """The dock of a pane, or the image panel."""
+        ...
+
+    def seen(self, name: str) -> bool:
+        """Whether a pane can be seen now."""
+        ...
+
+    def show(self, name: str) -> None:
+        """Show a pane."""
+        ...
+
+
+class PaneFocus(QObject):
+    """Moves the focus between panes and toolbar, and marks the active pane."""
+
+    def __init__(self, places: Places, toolbar: QToolBar, parent: QObject) -> None:
         super().__init__(parent)
-        self._centre, self._docks, self._toolbar = centre, docks, toolbar
+        self.place, self.show, self._seen = places.place, places.show, places.seen
+        self._toolbar = toolbar
         self._marked: QWidget | None = None
         application().focusChanged.connect(self._mark)
 
@@ -71,22 +132,12 @@ class PaneFocus(QObject):
             "previous_pane": partial(self._step, -1),
         }
 
-    def place(self, name: str) -> QWidget:
-        found = self._docks.get(name)
-        return self._centre if found is None else found
-
-    def show(self, name: str) -> None:
-        if name in self._docks:
-            self._docks[name].show()
-            self._docks[name].raise_()
-
     def go(self, name: str) -> None:
         self.show(name)
         _enter(self.place(name))
 
     def _step(self, by: int) -> None:
-        panes = [*map(self.place, PANES), self._toolbar]
-        seen = [pane for pane in panes if not pane.visibleRegion().isEmpty()]
+        seen = [*map(self.place, filter(self._seen, PANES)), self._toolbar]
         focused = application().focusWidget()
         at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)
         _enter(seen[(at + by) % len(seen)])

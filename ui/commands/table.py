@@ -6,7 +6,7 @@ from typing import Literal
 from PySide6.QtGui import QKeySequence
 
 from resources import EXAMPLES
-from ui.commands.panes import PANES
+from ui.commands.panes import PANES, WORKSPACES
 from ui.words import LANGUAGES, tr
 
 
@@ -49,6 +49,9 @@ THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
 
 LANGUAGE_CHOICES = {f"language_{code}": code for code in ("system", *LANGUAGES)}
 """Commands for the language of the window; see `ui.commands.actions`."""
+
+WORKSPACE_CHOICES = {f"workspace_{name}": name for name in (*WORKSPACES, "custom")}
+"""Commands for what the window shows; see `ui.window.workspaces`."""
 
 TOOLS = ("turn", "sculpt", "lock", "move_source")
 """Commands for what the left button does in the 3D scene."""
@@ -138,8 +141,8 @@ COMMANDS = {
     "fit_view": Command(
         "&Fit 3D view", "Fit {optic} and screen into the view", "Ctrl+0", "fit-view"
     ),
-    "lens_view": Command("Look at &{optic}", "Fit the {optic} into the view", "Ctrl+1"),
-    "screen_view": Command("Look at s&creen", "Fit the screen into the view", "Ctrl+2"),
+    "lens_view": Command("Look at &{optic}", "Fit the {optic} into the view", "Ctrl+Alt+1"),
+    "screen_view": Command("Look at s&creen", "Fit the screen into the view", "Ctrl+Alt+2"),
     "side_view": Command("From the &side", "View along x; light travels to the right"),
     "top_view": Command("From a&bove", "View along y; light travels to the right"),
     "axis_view": Command("Along the a&xis", "View along −z from behind the screen"),
@@ -263,8 +266,15 @@ COMMANDS = {
     "invert_locks": Command(
         "&Invert locks", "Lock unlocked control points, and unlock locked ones"
     ),
-    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+3", checked=True),
-    "reset_layout": Command("R&eset layout", "Restore the initial arrangement of docks"),
+    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+Alt+3", checked=True),
+    **{
+        f"workspace_{name}": Command(each.title, each.tip, f"Ctrl+{number}", checked=number == 1)
+        for number, (name, each) in enumerate(WORKSPACES.items(), 1)
+    },
+    "workspace_custom": Command(
+        "Custom", "Arrange docks by hand: drag their title bars", "Ctrl+5", checked=False
+    ),
+    "reset_layout": Command("R&eset layout", "Arrange this workspace as it was at first"),
     "next_pane": Command("&Next pane", "Move the keyboard focus to the next pane", "Ctrl+F6"),
     "previous_pane": Command(
         "&Previous pane", "Move the keyboard focus to the previous pane", "Ctrl+Shift+F6"

@@ -93,8 +93,8 @@ class Tour(QObject):
         self,
         window: QWidget,
         place: Callable[[str], QWidget],
-        show: Callable[[str], None],
-        hide: Callable[[str], None],
+        show: Callable[[str], object],
+        hide: Callable[[str], object],
     ) -> None:
         super().__init__(window)
         self._window, self._place, self._show, self._hide = window, place, show, hide

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class Views(QObject):
-    """The 3D view, and by dock names the views around it, ``others`` among them."""
+    """The 3D view, and by the names of their panes the views around it, ``others`` among them."""
 
     def __init__(self, parent: QObject, others: Mapping[str, View]) -> None:
         super().__init__(parent)
@@ -35,7 +35,7 @@ class Views(QObject):
         self.derivative, self.loss = DerivativeView(shared), LossView(shared)
         self.photo = PhotoView(shared)
         self.loss.add_below(self.history_slider)
-        self.docked: dict[str, View] = {
+        self.around: dict[str, View] = {
             "irradiance": IrradianceView(shared),
             "target": TargetView(shared),
             "error": ErrorView(shared),
@@ -50,7 +50,7 @@ class Views(QObject):
         }
 
     def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
-        for view in (self.scene, *self.docked.values()):
+        for view in (self.scene, *self.around.values()):
             view.follow(document, shown)
         self.history_slider.frame_chosen.connect(shown.frame_changed)
         history.changed.connect(lambda: self.history_slider.show_frames(history.frames))
@@ -58,15 +58,15 @@ class Views(QObject):
 
     @property
     def plots(self) -> dict[str, PlotView]:
-        return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
+        return {name: view for name, view in self.around.items() if isinstance(view, PlotView)}
 
     @property
     def computing(self) -> dict[str, ComputingView]:
-        return {name: view for name, view in self.docked.items() if isinstance(view, ComputingView)}
+        return {name: view for name, view in self.around.items() if isinstance(view, ComputingView)}
 
     def allow(self, resting: bool, go_on: bool) -> None:
         self.history_slider.allow(resting=resting, go_on=go_on)
-        for view in self.docked.values():
+        for view in self.around.values():
             view.allow(resting=resting)
 
     def slots(self) -> dict[str, Callable[[], object]]:
@@ -94,5 +94,5 @@ class Views(QObject):
 
     def close(self) -> None:
         self.scene.close_plotter()
-        for view in self.docked.values():
+        for view in self.around.values():
             view.close_threads()

@@ -47,7 +47,7 @@ class LoadedParts(QObject):
     def __init__(self, early: "EarlyParts", settings: QSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._early = early
-        document, workspace, messages = early.document, early.workspace, early.messages
+        document, there, messages = early.document, early.panes, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
         self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
@@ -66,7 +66,7 @@ class LoadedParts(QObject):
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
-        show_photo = partial(workspace.show_dock, "photo")
+        show_photo = partial(there.show, "photo")
         self._photo = PhotoPicture(views.photo, document, messages, early.dialogs, show_photo, self)
         RunLog(document, self.control, early.log.add)
         begin = [early.commands[name].trigger for name in ("start", "continue")]
@@ -80,11 +80,11 @@ class LoadedParts(QObject):
         self.reflection.reported.connect(self._report_reflection)
         self.reflection.withdrawn.connect(early.messages.withdraw)
         self.follow.settled.connect(self.reflection.report)
-        docked = {**views.docked, "check": self.figures, "runs": self.runs.table}
-        workspace.put_views(views.scene, docked)
-        for name, view in views.computing.items():
-            workspace.docks[name].visibilityChanged.connect(view.uncover)
-        views.shared.drawn.connect(lambda _: workspace.show_dock("section"))
+        made = {"scene": views.scene, "check": self.figures, "runs": self.runs.table}
+        there.put_views({**views.around, **made})
+        for name in panes.keys() & views.computing.keys():
+            there.docks[name].visibilityChanged.connect(views.computing[name].uncover)
+        views.shared.drawn.connect(lambda _: there.show("section"))
         views.shared.regions_drawn.connect(self._edit_regions)
         views.shared.changed.connect(self._follow_marking)
         views.follow(document, shown, self.control.history)
@@ -139,7 +139,6 @@ class LoadedParts(QObject):
         figures.rays_chosen.connect(check.use_rays)
         check.figures_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
-        check.checked.connect(lambda: early.workspace.show_dock("check"))
         check.checked.connect(self.runs.note_check)
         check.figures_changed.connect(early.status.show_check)
         check.under_way_changed.connect(self._reword_check)
@@ -185,8 +184,8 @@ class LoadedParts(QObject):
     def _mark_regions(self, on: bool) -> None:
         shared = self.views.shared
         if on and not shared.now.marking:
-            self._early.workspace.show_dock("irradiance")
-            self.views.docked["irradiance"].setFocus()
+            self._early.panes.show("irradiance")
+            self.views.around["irradiance"].setFocus()
         shared.mark_regions(on)
 
     def _follow_marking(self) -> None:

@@ -143,7 +143,7 @@ class WindowState:
         commands.reword(now.texts() | self._undo_texts())
         commands["pause"].setChecked(now.state == "paused")
         early.forms.set_running(not now.editable, paused=now.state == "paused")
-        early.workspace.history.setEnabled(now.editable)
+        early.panes.history.setEnabled(now.editable)
         if self.loaded is not None:
             self.loaded.allow(resting=now.resting, go_on=now.state == "idle")
         self._show_status(now)

@@ -89,7 +89,7 @@ def window(display, open_window, designed, found, monkeypatch, qtbot):
 
 
 def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
-    dock, figures = window.workspace.docks["check"], window.loaded.figures
+    dock, figures = window.panes.docks["check"], window.loaded.figures
     assert not dock.isVisible()
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)

@@ -66,15 +66,14 @@ def test_enter_runs_the_command(window, palette, qtbot):
 
 
 def test_arrows_choose_a_command_and_a_click_runs_it(window, palette, qtbot):
-    dock = window.workspace.docks["derivative"]
     qtbot.keyClicks(palette._field, "view")
     tree = palette.findChild(QTreeWidget)
     first = next(item for item in palette._items() if not item.isDisabled())
     assert tree.currentItem() is first
     qtbot.keyClick(palette._field, Qt.Key.Key_Down)
     assert tree.currentItem() is tree.itemBelow(first)
-    item = next(each for each in palette._items() if each.text(0) == "View → Derivative")
+    item = next(each for each in palette._items() if each.text(0) == "View → Go to → Derivative")
     tree.scrollToItem(item)
     place = tree.visualItemRect(item).center()
     qtbot.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert not dock.isHidden()
+    assert window.panes.images.name == "derivative"

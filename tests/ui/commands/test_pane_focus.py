@@ -14,23 +14,26 @@ def holds_focus(pane):
 
 
 def test_commands_show_and_focus_every_dock(window, qtbot):
-    for name, dock in window.workspace.docks.items():
+    for name, dock in window.panes.docks.items():
+        if name == "scene":
+            continue  # loads later, as the images do
         dock.hide()
         window.commands[f"go_{name}"].trigger()
-        qtbot.waitUntil(lambda dock=dock: not dock.visibleRegion().isEmpty())
+        qtbot.waitUntil(lambda dock=dock: dock.seen)
         assert holds_focus(dock), name
         assert dock.property("active") is True
 
 
 def test_keys_cycle_the_focus_through_all_visible_panes(window, qtbot):
+    window.commands["workspace_design"].trigger()
     window.commands["go_design"].trigger()
-    docks = window.workspace.docks
-    seen = {name for name, dock in docks.items() if not dock.visibleRegion().isEmpty()}
+    docks = window.panes.docks
+    seen = {name for name, dock in docks.items() if dock.seen}
     visited = []
     for _ in range(len(seen) + 2):  # and the scene, and the toolbar
         visited += [name for name, dock in docks.items() if holds_focus(dock)]
         qtbot.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ControlModifier)
-    assert sorted(visited) == sorted(seen) and len(seen) >= 4
+    assert sorted(visited) == sorted(seen) and len(seen) >= 3
     assert holds_focus(docks["design"])
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     qtbot.keyClick(window, Qt.Key.Key_F6, both)
@@ -84,7 +87,7 @@ def test_commands_look_at_lens_and_screen(display, window, qtbot):
     window.build()
     scene = window.loaded.views.scene
     qtbot.waitUntil(lambda: scene.camera() is not None, timeout=60_000)
-    for name, keys in (("screen", "Ctrl+2"), ("lens", "Ctrl+1")):
+    for name, keys in (("screen", "Ctrl+Alt+2"), ("lens", "Ctrl+Alt+1")):
         assert window.commands[f"{name}_view"].shortcut().toString() == keys
         window.commands[f"{name}_view"].trigger()
         assert scene.camera() == {"fitted": name}

@@ -11,6 +11,7 @@ from ui.commands.actions import Commands, keep_colours
 @pytest.fixture
 def window(display, window):
     window.build()
+    window.commands["workspace_design"].trigger()
     return window
 
 
@@ -18,7 +19,7 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.commands["colours_inferno"].isChecked()
     window.commands["colours_cividis"].trigger()
     assert window.loaded.views.shared.now.colours == "cividis"
-    irradiance = window.loaded.views.docked["irradiance"]
+    irradiance = window.loaded.views.around["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
     shown = irradiance._image.artists[0]
     qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
@@ -32,7 +33,7 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
 
 
 def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
-    view = window.loaded.views.docked["irradiance"]
+    view = window.loaded.views.around["irradiance"]
     qtbot.waitUntil(lambda: not view.empty, timeout=30_000)
     QGuiApplication.clipboard().clear()
     keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
@@ -42,11 +43,11 @@ def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):
 
 
 def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
-    dock, link = window.workspace.docks["section"], window.loaded.views.shared
+    dock, link = window.panes.docks["section"], window.loaded.views.shared
     assert not dock.isVisible()
     link.drawn.emit(((-0.5, 0.0), (0.5, 0.25)))
     qtbot.waitUntil(dock.isVisible)
     assert link.now.line == ((-0.5, 0.0), (0.5, 0.25))
-    section = window.loaded.views.docked["section"]
+    section = window.loaded.views.around["section"]
     qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
     assert section._curves._axes.get_xlabel() == "distance (cm)"

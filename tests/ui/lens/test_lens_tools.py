@@ -318,7 +318,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     shaped = document.session.heights["lens.back"]
-    for shows in window.loaded.views.docked.values():
+    for shows in window.loaded.views.around.values():
         assert (shows._frame.state.heights["lens.back"] == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()

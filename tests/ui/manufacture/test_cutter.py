@@ -170,7 +170,7 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     window.build()
     written = tmp_path / "lens.nc"
     window.exporter._dialogs.to_save = lambda *_: written
-    window.workspace.show_dock("manufacture")
+    window.panes.show("manufacture")
     pane = window.loaded.manufacture
     answer(CutterDialog._accept, fits)
     button = next(b for b in pane.findChildren(QPushButton) if b.text() == "Ball cutter…")

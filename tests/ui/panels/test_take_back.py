@@ -95,7 +95,7 @@ def test_undo_takes_a_refused_entry_back_and_only_then_a_step(begin, qtbot, entr
 def test_escape_anywhere_takes_all_refused_entries_back(begin, qtbot):
     window = begin()
     before = shown(window.forms)
-    for elsewhere in (editor(window.forms, "run.seed"), window.workspace.history):
+    for elsewhere in (editor(window.forms, "run.seed"), window.panes.history):
         enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
         enter(qtbot, window.forms, "images[0].receiver.half_width[0]", "wide")
         elsewhere.setFocus()

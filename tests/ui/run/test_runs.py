@@ -47,8 +47,9 @@ def checks(monkeypatch):
 def window(display, window, checks, as_seen_run):
     window.build()
     window.loaded.control.runner._generate = as_seen_run(window.loaded.control.runner, 6)
-    window.workspace.docks["runs"].show()
-    window.workspace.docks["runs"].raise_()
+    window.commands["workspace_design"].trigger()
+    window.panes.docks["runs"].show()
+    window.panes.docks["runs"].raise_()
     return window
 
 

@@ -33,7 +33,7 @@ def test_a_view_is_marked_after_an_edit_until_a_frame_of_it_comes(
 def test_every_view_and_the_figures_in_the_status_are_marked(window, qtbot, display, kernels):
     window.build()
     loaded = window.loaded
-    views = [loaded.views.scene, *loaded.views.docked.values()]
+    views = [loaded.views.scene, *loaded.views.around.values()]
     qtbot.waitUntil(lambda: loaded.views.scene.frame is not None)
     loaded.control._preview.setInterval(10_000_000)  # nothing comes of the next design
     move_screen(window.document, 7)

@@ -17,14 +17,11 @@ def window(display, open_window, designed):
 
 
 def test_the_dock_shows_the_designed_lens(window, session, qtbot):
-    dock, other = window.workspace.docks["derivative"], window.workspace.docks["error"]
-    assert not dock.isVisible() and other.isVisible()
-    entries = window.commands.menus["&View"].actions()
-    assert dock.toggleViewAction() in entries
-    dock.toggleViewAction().trigger()
-    view = dock.widget()
+    view, other = (window.loaded.views.around[name] for name in ("derivative", "target"))
+    assert not view.isVisible() and other.isVisible()
+    window.commands["go_derivative"].trigger()
     qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
-    assert not dock.visibleRegion().isEmpty() and other.visibleRegion().isEmpty()
+    assert view.isVisible() and not other.isVisible()
     wanted = irradiance_derivative(
         session.scene, {"lens.back": np.full((12, 10), 0.497)}, view.point.index
     )
@@ -45,7 +42,7 @@ def seen_at(window, index):
 @pytest.fixture
 def picking(window, qtbot):
     """The window with its derivative dock open and the control points shown."""
-    window.workspace.docks["derivative"].toggleViewAction().trigger()
+    window.commands["go_derivative"].trigger()
     view, derivative = window.loaded.views.scene, window.loaded.views.derivative
     qtbot.waitUntil(
         lambda: view.nets.picture is not None and view.nets.picture._marked == (6, 5),
@@ -66,8 +63,8 @@ def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, qtbo
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):
     window.document.undo_stack.setClean()
     window.commands["new_derivative-degree3-filter3"].trigger()
-    dock, view = window.workspace.docks["derivative"], window.loaded.views.derivative
-    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
+    view = window.loaded.views.derivative
+    qtbot.waitUntil(view.isVisible)
     qtbot.waitUntil(lambda: view.point.index == (4, 4), timeout=60_000)
     window.commands["new_tophat"].trigger()
-    assert dock.isVisible()
+    assert view.isVisible()

@@ -44,7 +44,7 @@ def designed(window, qtbot):
 def test_the_slider_shows_an_earlier_lens(designed, qtbot):
     history_slider, loss = (
         designed.loaded.views.history_slider,
-        designed.workspace.docks["irradiance"].widget(),
+        designed.loaded.views.around["irradiance"],
     )
     frames = designed.loaded.control.history.frames
     qtbot.wait(300)  # the preview of the result comes after the run

@@ -15,7 +15,7 @@ class Hand:
 
     def __init__(self, window, qtbot):
         self.window, self._qtbot = window, qtbot
-        self.view = window.loaded.views.docked["irradiance"]
+        self.view = window.loaded.views.around["irradiance"]
         self.canvas, self.link = self.view._canvas, window.loaded.views.shared
 
     def at(self, x, y):
@@ -44,7 +44,8 @@ class Hand:
 @pytest.fixture
 def hand(window, qtbot):
     window.build()
-    view = window.loaded.views.docked["irradiance"]
+    window.commands["go_irradiance"].trigger()
+    view = window.loaded.views.around["irradiance"]
     qtbot.waitUntil(lambda: not view.empty)
     window.commands["mark_region"].trigger()
     return Hand(window, qtbot)

@@ -5,32 +5,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QScreen
 
 from tests.ui.hands import move_screen
-from ui.window.docks import _FORMS_SHARE, _IMAGES
-
-
-def reset(window, qtbot):
-    window.commands["reset_layout"].trigger()
-    share = pytest.approx((1 - _FORMS_SHARE) / 3 * window.width(), abs=0.03 * window.width())
-    qtbot.waitUntil(lambda: [width(window, name) for name in _IMAGES] == 3 * [share])
-
-
-def width(window, name="error"):
-    return window.workspace.docks[name].width()
-
-
-@pytest.mark.parametrize("size", [(1280, 800), (2560, 1440)])
-def test_irradiance_target_and_difference_have_a_third_of_the_window(
-    window, qtbot, monkeypatch, size
-):
-    monkeypatch.setattr(QScreen, "availableSize", lambda self: QSize(*size))
-    window.build()
-    window.resize(QSize(*size))
-    qtbot.waitUntil(lambda: window.size() == QSize(*size))
-    reset(window, qtbot)
-    docks = [window.workspace.docks[name] for name in _IMAGES]
-    assert len({dock.y() for dock in docks}) == 1  # side by side
-    assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
-
 
 STEPS = 30
 
@@ -41,7 +15,7 @@ def test_many_steps_are_listed_and_gone_through_by_keyboard(window, qtbot):
         move_screen(window.document, 6 + number, f"screen at {6 + number}")
     window.document.blockSignals(False)
     window.commands["go_history"].trigger()
-    history, document = window.workspace.history, window.document
+    history, document = window.panes.history, window.document
     qtbot.waitUntil(history.hasFocus)
     assert history.model().rowCount() == STEPS + 1  # and the beginning
     assert history.currentIndex().row() == STEPS

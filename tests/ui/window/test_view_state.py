@@ -8,7 +8,7 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def shown(window):
-    return {name for name, dock in window.workspace.docks.items() if not dock.isHidden()}
+    return {name for name, dock in window.panes.docks.items() if not dock.isHidden()}
 
 
 def save(window, path):
@@ -19,21 +19,21 @@ def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbo
     path = tmp_path / "mine.freeform"
     window = open_window()
     window.build()
-    window.workspace.docks["target"].show()
-    window.workspace.docks["light"].hide()
+    window.commands["workspace_design"].trigger()
+    window.panes.docks["history"].show()
+    window.panes.docks["light"].hide()
     for name in ("exploded", "rays_5", "colours_viridis"):
         window.commands[name].trigger()
     wanted = shown(window)
     assert not window.document.dirty
     save(window, path)
     assert not window.document.dirty
-    window.workspace.docks["target"].hide()
-    window.workspace.docks["light"].show()
+    window.commands["workspace_check"].trigger()
     for name in ("exploded", "rays_45", "colours_gray"):
         window.commands[name].trigger()
     assert not window.document.dirty
     assert window.files.open(path)
-    assert shown(window) == wanted
+    assert shown(window) == wanted and window.workspaces.name == "design"
     switches = ("exploded", "rays_5", "rays_45", "colours_viridis", "colours_gray")
     on = [name for name in switches if window.commands[name].isChecked()]
     assert on == ["exploded", "rays_5", "colours_viridis"]

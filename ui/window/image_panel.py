@@ -1,0 +1,227 @@
+"""The image panel: one view of light or surface at a time, or two with a handle between them."""
+
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QKeyEvent, QMouseEvent, QRegion, QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QMenu,
+    QToolBar,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.commands.panes import PANES
+from ui.words import tr
+
+_HANDLE = 7  # pixels, of the handle between two views
+_STEP = 0.05  # of the width, for an arrow key
+_FRAME = 2  # pixels around the panel, highlighted when it has the keyboard
+
+
+class ImagePanel(QFrame):
+    """Views of one design in the same place, chosen by buttons above them.
+
+    `over`: what lies over the views, such as messages.
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__()
+        self.setObjectName("centre")  # for the style sheet
+        self._bar = QToolBar(tr("Image"))
+        self._bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        one_of = QActionGroup(self)
+        self._modes = {name: self._mode(name, one_of) for name, pane in PANES.items() if pane.image}
+        self._bar.addActions(list(self._modes.values()))
+        self._compare = QToolButton(self)
+        self._compare.setText(tr("Compare"))
+        self._compare.setToolTip(
+            tr("Show a second image; drag the handle between them, or press arrows on it")
+        )
+        self._compare.setCheckable(True)
+        self._compare.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        self._menu = QMenu(self)
+        self._with = QActionGroup(self)
+        for name, mode in self._modes.items():
+            action = self._menu.addAction(mode.text(), partial(self.compare_with, name))
+            action.setCheckable(True)
+            action.setData(name)
+            self._with.addAction(action)
+        self._compare.setMenu(self._menu)
+        self._compare.toggled.connect(self._show)
+        self._bar.addSeparator()
+        self._bar.addWidget(self._compare)
+        for more in self._bar.findChildren(QToolButton, "qt_toolbar_ext_button"):
+            more.setAccessibleName(tr("More images"))  # where space is short
+        self._views = _Swipe()
+        self._name, self._second = "irradiance", "target"
+        box = QVBoxLayout()
+        box.setSpacing(0)
+        box.addWidget(self._bar)
+        box.addWidget(self._views, 1)
+        # One over the other: a message that comes or goes leaves the picture as it is.
+        layout = QGridLayout(self)
+        layout.setContentsMargins(*4 * [_FRAME])
+        layout.addLayout(box, 0, 0)
+        layout.addWidget(over, 0, 0, Qt.AlignmentFlag.AlignTop)
+        self._show()
+
+    @property
+    def name(self) -> str:
+        """Name of the view that is shown, the left one of two."""
+        return self._name
+
+    @property
+    def compared(self) -> str:
+        """Name of the view to the right of the handle; empty if there is one view alone."""
+        return self._second if self._compare.isChecked() else ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of all views."""
+        return tuple(self._modes)
+
+    def put(self, views: Mapping[str, QWidget]) -> None:
+        """Show views in place of the words that stand for them while they are loaded."""
+        self._views.put(views)
+        self._show()
+
+    def choose(self, name: str) -> None:
+        """Show a view; the one to the right of the handle where it is that already."""
+        if name == self.compared:
+            return
+        self._name = name
+        self._show()
+        self.chosen.emit(name)
+
+    def compare_with(self, name: str) -> None:
+        """Show a second view to the right of the first, with a handle between."""
+        if name == self._name:
+            self._name = self._second
+        self._second = name
+        self._compare.setChecked(True)
+        self._show()
+
+    def rename(self, name: str, title: str) -> None:
+        """Give the buttons of a view another title."""
+        self._modes[name].setText(title)
+        for action in self._with.actions():
+            if action.data() == name:
+                action.setText(title)
+
+    def _mode(self, name: str, one_of: QActionGroup) -> QAction:
+        action = QAction(tr(PANES[name].title), self)
+        action.setCheckable(True)
+        action.triggered.connect(partial(self.choose, name))
+        one_of.addAction(action)
+        return action
+
+    def _show(self) -> None:
+        if self._second == self._name:
+            self._second = next(name for name in self._modes if name != self._name)
+        self._modes[self._name].setChecked(True)
+        for action in self._with.actions():
+            action.setChecked(action.data() == self._second)
+        self._views.show_views(self._name, self.compared)
+        self.setFocusProxy(self._views.first)
+
+
+class _Swipe(QWidget):
+    """Views of the same size in the same place; the second is seen to the right of a handle."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        loading = QLabel(tr("Loading…"), alignment=Qt.AlignmentFlag.AlignCenter, parent=self)
+        self._views: dict[str, QWidget] = {}
+        self.first: QWidget = loading
+        self._second: QWidget | None = None
+        self._loading = loading
+        self._handle = _Handle(self)
+        self._handle.moved.connect(self._move)
+        self._part = 0.5
+
+    def put(self, views: Mapping[str, QWidget]) -> None:
+        self._views = dict(views)
+        for view in self._views.values():
+            view.hide()
+            view.setParent(self)
+        self._loading.hide()
+
+    def show_views(self, first: str, second: str) -> None:
+        self.first = self._views.get(first, self._loading)
+        self._second = self._views.get(second) if second else None
+        for view in self._views.values():
+            view.clearMask()
+            if view not in (self.first, self._second):
+                view.hide()
+        self._place()
+        self.first.show()
+        if self._second is not None:
+            self._second.show()
+            self._second.raise_()
+            self._handle.raise_()
+        self._handle.setVisible(self._second is not None)
+        self.updateGeometry()
+
+    def minimumSizeHint(self) -> QSize:
+        shown = (self.first, self._second or self.first)
+        return shown[0].minimumSizeHint().expandedTo(shown[1].minimumSizeHint())
+
+    def sizeHint(self) -> QSize:
+        return self.first.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place()
+
+    def _move(self, part: float) -> None:
+        self._part = min(max(part, 0.0), 1.0)
+        self._place()
+
+    def _place(self) -> None:
+        self.first.setGeometry(self.rect())
+        if self._second is None:
+            return
+        left = round(self._part * self.width())
+        self._second.setGeometry(self.rect())
+        self._second.setMask(QRegion(left, 0, max(self.width() - left, 1), max(self.height(), 1)))
+        self._handle.setGeometry(left - _HANDLE // 2, 0, _HANDLE, self.height())
+
+
+class _Handle(QFrame):
+    """A bar that is dragged across its parent, or moved by the arrow keys."""
+
+    moved = Signal(float)  # part of the parent's width to the left of it
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._across = parent
+        self.setObjectName("handle")  # for the style sheet
+        self.setAutoFillBackground(True)
+        self.setCursor(Qt.CursorShape.SplitHCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(tr("Handle between two images"))
+        self.hide()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._go(self.mapToParent(event.position().toPoint()))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        by = {Qt.Key.Key_Left: -_STEP, Qt.Key.Key_Right: _STEP}.get(Qt.Key(event.key()))
+        if by is None:
+            super().keyPressEvent(event)
+        else:
+            self._go(self.geometry().center() + QPoint(round(by * self._across.width()), 0))
+
+    def _go(self, place: QPoint) -> None:
+        self.moved.emit(place.x() / max(self._across.width(), 1))

@@ -1,0 +1,259 @@
+"""Workspaces of a window: which panes it shows where, and how a design is looked at."""
+
+import base64
+import binascii
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QByteArray, QObject, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import QMainWindow, QWidget
+
+from ui.commands.actions import LOOK, Commands
+from ui.commands.panes import WORKSPACES, Tabs
+from ui.window.docks import Panes
+from ui.words import tr
+
+if TYPE_CHECKING:
+    from ui.views.scene_view import SceneView
+    from workbench.files.session import Session
+
+CUSTOM = "custom"
+"""The workspace whose docks have title bars, to be arranged by hand."""
+
+_FIRST = "task"
+_SHARE_OF_SCREEN = 0.85
+_SIZE = QSize(1280, 800)  # below which panes are too small
+_DESKTOP_FRAME = QSize(16, 64)  # that a desktop may put around a window
+_GEOMETRY, _KEPT = "window/geometry", "window/workspaces"
+_VERSION = 2  # of the docks' names; Qt refuses a layout of another one
+# Logical pixels, and shares of the window, for the forms and for what stands at the right.
+_FORMS, _FORMS_SHARE = 340, 0.3
+_RIGHT, _RIGHT_SHARE = 380, 0.35
+_BESIDE_IMAGE = 76  # buttons above the image and figures below it
+_SCENE_ABOVE, _SCENE_BELOW = 0.5, 0.36  # of the height
+_SCENE = ("scene",)
+# The 3D scene stands beside images that are narrower than this, in widths for each height; below
+# wider ones.
+_WIDE = 1.4
+
+_LEFT_AREA = Qt.DockWidgetArea.LeftDockWidgetArea
+_RIGHT_AREA = Qt.DockWidgetArea.RightDockWidgetArea
+_BOTTOM_AREA = Qt.DockWidgetArea.BottomDockWidgetArea
+_DOWNWARDS = Qt.Orientation.Vertical
+
+
+class Workspaces(QObject):
+    """Arranges the panes of a window for one part of the work, and keeps what a hand changed."""
+
+    changed = Signal(str)
+
+    def __init__(self, window: QMainWindow, panes: Panes, settings: QSettings) -> None:
+        super().__init__(window)
+        self._window, self._panes, self._settings = window, panes, settings
+        self._aspect = 1.0  # width over height of the image of light
+        available = window.screen().availableSize()
+        window.resize((available * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(available))
+        framed = window.size() + _DESKTOP_FRAME
+        if framed.boundedTo(available) != framed:  # the desktop knows best what fits in
+            window.setWindowState(Qt.WindowState.WindowMaximized)
+        kept = settings.value(_GEOMETRY)
+        if isinstance(kept, QByteArray):
+            window.restoreGeometry(kept)
+        self.name = ""
+        self.choose(_FIRST)
+
+    def choose(self, name: str) -> None:
+        """Show a workspace as it was left, or as it is from the start."""
+        if name == self.name:
+            return
+        if self.name:
+            self.keep()
+        self.name = name
+        self._show()
+        self.changed.emit(name)
+
+    def reset(self) -> None:
+        """Arrange the workspace as it is from the start; the custom one as *Design*."""
+        self._settings.remove(self._key)
+        available = self._window.screen().availableSize()
+        self._window.resize(self._window.size().boundedTo(available))
+        self._arrange()
+
+    def follow(self, session: "Session") -> None:
+        """Arrange the panes anew where an image of another shape needs another place."""
+        across, up = session.scene.receiver.half_extent
+        before, self._aspect = self._aspect, across / up
+        if self._is_wide(before) is not self._is_wide(self._aspect) and self.name in WORKSPACES:
+            self._show()
+
+    def reveal(self, name: str, workspace: str) -> None:
+        """Show a pane: in its workspace if it is not shown, unless docks are arranged by hand."""
+        seen = name in self._panes.docks and self._panes.docks[name].isVisible()
+        if not seen and self.name != CUSTOM:
+            self.choose(workspace)
+        self._panes.show(name)
+
+    def keep(self) -> None:
+        """Keep the arrangement for the next time."""
+        self._settings.setValue(_GEOMETRY, self._window.saveGeometry())
+        self._settings.setValue(self._key, self._window.saveState(_VERSION))
+
+    def to_text(self) -> str:
+        return base64.b64encode(self._window.saveState(_VERSION).data()).decode("ascii")
+
+    def restore(self, name: str, text: str) -> None:
+        """Show the workspace of a file, with its arrangement."""
+        try:
+            state = base64.b64decode(text, validate=True)
+        except binascii.Error as error:
+            raise ValueError("the layout of the docks is no base64") from error
+        if name not in (*WORKSPACES, CUSTOM):
+            raise ValueError(f"there is no workspace {name!r}")
+        self.choose(name)
+        if not self._window.restoreState(QByteArray(state), _VERSION):
+            raise ValueError("the layout of the docks is none of this program's")
+
+    @property
+    def _key(self) -> str:
+        shape = "" if self.name == CUSTOM else "-wide" * self._is_wide(self._aspect)
+        return f"{_KEPT}/{self.name}{shape}"
+
+    def _show(self) -> None:
+        for dock in self._panes.docks.values():
+            # An empty widget in place of a title bar: docks stay where they are.
+            bar = None if self.name == CUSTOM else QWidget()
+            dock.setTitleBarWidget(bar)  # type: ignore[arg-type]  # None restores Qt's own
+        kept = self._settings.value(self._key)
+        if not (isinstance(kept, QByteArray) and self._window.restoreState(kept, _VERSION)):
+            self._arrange()
+        if self.name in WORKSPACES:
+            self._panes.images.choose(WORKSPACES[self.name].image)
+
+    def _arrange(self) -> None:
+        window, docks = self._window, self._panes.docks
+        for dock in docks.values():
+            window.removeDockWidget(dock)
+        places = self._places()
+        shown = {name for groups in places.values() for group in groups for name in group}
+        # Others come as tabs behind the last ones at the right, when they are asked for.
+        others = tuple(name for name in docks if name not in shown)
+        right = [*places[_RIGHT_AREA]]
+        last = right.pop() if right and right[-1] != _SCENE else ()
+        places = {**places, _RIGHT_AREA: (*right, (*last, *others))}
+        for area, groups in places.items():
+            for group in groups:
+                for name in group:
+                    window.addDockWidget(area, docks[name], _DOWNWARDS)
+                    if name != group[0]:
+                        window.tabifyDockWidget(docks[group[0]], docks[name])
+        # Only then: one below the other, docks would need a larger window.
+        for name, dock in docks.items():
+            dock.setVisible(name in shown)
+        for groups in places.values():
+            for front, *_ in groups:
+                docks[front].raise_()
+        self._share()
+        # Docks that were hidden just now take space until all are laid out.
+        QTimer.singleShot(0, self, self._share)
+
+    def _places(self) -> dict[Qt.DockWidgetArea, tuple[Tabs, ...]]:
+        """Groups of docks by areas."""
+        shown = WORKSPACES.get(self.name, WORKSPACES["design"])
+        if not self._is_wide(self._aspect):
+            return {_LEFT_AREA: shown.left, _RIGHT_AREA: shown.right}
+        below = tuple(group for group in shown.right if group == _SCENE)
+        right = tuple(group for group in shown.right if group != _SCENE)
+        return {_LEFT_AREA: shown.left, _RIGHT_AREA: right, _BOTTOM_AREA: below}
+
+    def _share(self) -> None:
+        """Give the image of light as much as it can use."""
+        window, docks, places = self._window, self._panes.docks, self._places()
+        width, height = window.width(), window.height()
+        left = min(_FORMS, round(_FORMS_SHARE * width)) if places[_LEFT_AREA] else 0
+        right = min(_RIGHT, round(_RIGHT_SHARE * width))
+        if _BOTTOM_AREA not in places:
+            tall = self._panes.images.height() - _BESIDE_IMAGE
+            right = max(right, width - left - round(tall * self._aspect))
+        widths = {_LEFT_AREA: left, _RIGHT_AREA: right}
+        beside = {docks[places[area][0][0]]: widths[area] for area in widths if places[area]}
+        window.resizeDocks(list(beside), list(beside.values()), Qt.Orientation.Horizontal)
+        for groups in (places[_RIGHT_AREA], places.get(_BOTTOM_AREA, ())):
+            share = _SCENE_ABOVE if len(groups) > 1 else _SCENE_BELOW
+            heights = [share * height, (1 - share) * height][: len(groups)]
+            first = [docks[group[0]] for group in groups]
+            window.resizeDocks(first, [round(h) for h in heights], _DOWNWARDS)
+
+    @staticmethod
+    def _is_wide(aspect: float) -> bool:
+        return aspect > _WIDE
+
+
+_WORKSPACE, _LAYOUT, _ON, _CAMERA = "workspace", "layout", "on", "camera"
+
+
+class ViewState:
+    """How a design is shown (docks, options, camera), as plain data."""
+
+    def __init__(
+        self, commands: Commands, workspaces: Workspaces, log: Callable[[str], None]
+    ) -> None:
+        self._commands, self._workspaces, self._log = commands, workspaces, log
+        self._scene_view: SceneView | None = None
+        self._waiting: Mapping[str, Any] | None = None  # for the views
+
+    def to_data(self) -> dict[str, Any]:
+        if self._waiting is not None:  # nobody has seen another
+            return dict(self._waiting)
+        on = [name for name in LOOK if self._commands[name].isChecked()]
+        workspaces = self._workspaces
+        data = {_WORKSPACE: workspaces.name, _LAYOUT: workspaces.to_text(), _ON: on}
+        camera = None if self._scene_view is None else self._scene_view.camera()
+        return data if camera is None else {**data, _CAMERA: camera}
+
+    def restore(self, data: Mapping[str, Any] | None) -> None:
+        """Restore the view as far as the data are valid."""
+        self._waiting = None
+        if data is None:
+            return
+        if _WORKSPACE in data:  # else of a program that had none
+            places = (_of_kind(data, key, str) for key in (_WORKSPACE, _LAYOUT))
+            self._try("docks", lambda: self._workspaces.restore(*places))
+        if self._scene_view is None:
+            self._waiting = data
+        else:
+            self._restore_look(data, self._scene_view)
+
+    def attach(self, scene_view: "SceneView") -> None:
+        self._scene_view = scene_view
+        if self._waiting is not None:
+            self._restore_look(self._waiting, scene_view)
+            self._waiting = None
+
+    def _restore_look(self, data: Mapping[str, Any], scene_view: "SceneView") -> None:
+        self._try("choices", lambda: self._switch(_of_kind(data, _ON, list)))
+        if _CAMERA in data:
+            self._try("camera", lambda: scene_view.set_camera(_of_kind(data, _CAMERA, dict)))
+
+    def _switch(self, on: list[Any]) -> None:
+        for name in LOOK:
+            action = self._commands[name]
+            only_one = action.actionGroup() is not None  # is switched off by another
+            if not (only_one and action.isChecked()):
+                action.setChecked(name in on)
+
+    def _try(self, what: str, restore: Callable[[], None]) -> None:
+        try:
+            restore()
+        except ValueError as error:
+            self._log(
+                tr("The view settings ({what}) of this design cannot be restored: {error}").format(
+                    what=what, error=error
+                )
+            )
+
+
+def _of_kind(data: Mapping[str, Any], key: str, kind: type[Any]) -> Any:
+    value = data.get(key)
+    if not isinstance(value, kind):
+        raise ValueError(f"{key} is no {kind.__name__}")
+    return value
