@@ -115,6 +115,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
+            <source>&amp;Workspace</source>
+            <translation>&amp;Arbeitsbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>&amp;Gehe zu</translation>
         </message>
@@ -1375,13 +1380,63 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Task</source>
+            <translation>Aufgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Describe the light, the element and the image</source>
+            <translation>Licht, Element und Bild beschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design</source>
+            <translation>Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Run the design and watch the image</source>
+            <translation>Den Entwurf rechnen und das Bild verfolgen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Check</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Verify the image: errors, cross-sections, through focus</source>
+            <translation>Das Bild prüfen: Fehler, Schnitte, Fokusverlauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make</source>
+            <translation>Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the part: cutters, tolerances, exports</source>
+            <translation>Das Teil fertigen: Fräser, Toleranzen, Ausgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Custom</source>
+            <translation>Eigene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Arrange docks by hand: drag their title bars</source>
+            <translation>Docks von Hand anordnen: ihre Titelleisten ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>R&amp;eset layout</source>
             <translation>Anord&amp;nung zurücksetzen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Restore the initial arrangement of docks</source>
-            <translation>Anfängliche Anordnung der Docks wiederherstellen</translation>
+            <source>Arrange this workspace as it was at first</source>
+            <translation>Diesen Arbeitsbereich wie zu Anfang anordnen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1405,11 +1460,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design</source>
-            <translation>Entwurf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>Show this pane and focus it</source>
             <translation>Diesen Bereich zeigen und fokussieren</translation>
         </message>
@@ -1430,8 +1480,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Irradiance − target</source>
-            <translation>Bestrahlungsstärke − Ziel</translation>
+            <source>Difference</source>
+            <translation>Differenz</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photo</source>
+            <translation>Foto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Surface</source>
+            <translation>Fläche</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1440,8 +1500,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Surface</source>
-            <translation>Fläche</translation>
+            <source>Through focus</source>
+            <translation>Fokusreihe</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1455,18 +1515,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Through focus</source>
-            <translation>Fokusreihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Predicted photo</source>
-            <translation>Vorhergesagtes Foto</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Check</source>
-            <translation>Prüfung</translation>
+            <source>Light account</source>
+            <translation>Lichtbilanz</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1477,11 +1527,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cross-section</source>
             <translation>Schnitt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light account</source>
-            <translation>Lichtbilanz</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4751,11 +4796,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
-            <source>Loading the 3D scene…</source>
-            <translation>3D-Szene wird geladen …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
             <source>As opened</source>
             <translation>Wie geöffnet</translation>
         </message>
@@ -4771,18 +4811,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
-            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
-            <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie wieder.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
             <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
             <translation>Der Lauf wartet auf das Übersetzen seiner Kernel (einmal nach der Installation, eine halbe Minute)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
-            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
-            <translation>Die Ansicht ({what}) dieses Entwurfs lässt sich nicht wiederherstellen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4913,6 +4943,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/edit_notices.py" />
             <source>change of unit alone</source>
             <translation>nur die Einheit ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Image</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Show a second image; drag the handle between them, or press arrows on it</source>
+            <translation>Ein zweites Bild zeigen; den Griff dazwischen ziehen oder mit Pfeiltasten bewegen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>More images</source>
+            <translation>Weitere Bilder</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Handle between two images</source>
+            <translation>Griff zwischen zwei Bildern</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5118,6 +5168,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/window_state.py" />
             <source>Stopped; {command} ({keys}) improves the mirror</source>
             <translation>Angehalten; {command} ({keys}) verbessert den Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspaces.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Die Ansicht ({what}) dieses Entwurfs lässt sich nicht wiederherstellen: {error}</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
@@ -6128,11 +6183,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
             <translation>Wo Licht gewünscht ist, und welches. Zwei Freiformflächen können mehrere Bilder formen; eine Fläche formt einen Kompromiss.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Image</source>
-            <translation>Bild</translation>
         </message>
         <message>
             <location filename="../../workbench" />

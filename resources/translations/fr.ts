@@ -115,6 +115,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
+            <source>&amp;Workspace</source>
+            <translation>&amp;Espace de travail</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>Aller &amp;à</translation>
         </message>
@@ -1375,13 +1380,63 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Task</source>
+            <translation>Tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Describe the light, the element and the image</source>
+            <translation>Décrire la lumière, l'élément et l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design</source>
+            <translation>Conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Run the design and watch the image</source>
+            <translation>Lancer la conception et suivre l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Check</source>
+            <translation>Vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Verify the image: errors, cross-sections, through focus</source>
+            <translation>Vérifier l'image : erreurs, coupes, autour du foyer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make</source>
+            <translation>Fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the part: cutters, tolerances, exports</source>
+            <translation>Fabriquer la pièce : fraises, tolérances, exports</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Custom</source>
+            <translation>Personnel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Arrange docks by hand: drag their title bars</source>
+            <translation>Disposer les volets à la main : faire glisser leurs titres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>R&amp;eset layout</source>
             <translation>Réi&amp;nitialiser la disposition</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Restore the initial arrangement of docks</source>
-            <translation>Rétablir la disposition initiale des panneaux</translation>
+            <source>Arrange this workspace as it was at first</source>
+            <translation>Disposer cet espace de travail comme au début</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1405,11 +1460,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Design</source>
-            <translation>Conception</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>Show this pane and focus it</source>
             <translation>Afficher ce panneau et lui donner le focus</translation>
         </message>
@@ -1430,8 +1480,18 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Irradiance − target</source>
-            <translation>Éclairement énergétique − cible</translation>
+            <source>Difference</source>
+            <translation>Différence</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photo</source>
+            <translation>Photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Surface</source>
+            <translation>Surface</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1440,8 +1500,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Surface</source>
-            <translation>Surface</translation>
+            <source>Through focus</source>
+            <translation>Série focale</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1455,18 +1515,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Through focus</source>
-            <translation>Série focale</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Predicted photo</source>
-            <translation>Photo prédite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Check</source>
-            <translation>Vérification</translation>
+            <source>Light account</source>
+            <translation>Bilan de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1477,11 +1527,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cross-section</source>
             <translation>Coupe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light account</source>
-            <translation>Bilan de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4751,11 +4796,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
-            <source>Loading the 3D scene…</source>
-            <translation>Chargement de la scène 3D…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
             <source>As opened</source>
             <translation>Comme ouvert</translation>
         </message>
@@ -4771,18 +4811,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
-            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
-            <translation>La scène 3D est cachée. Affichage &gt; Scène 3D la remontre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
             <source>The run waits for the compilation of its kernels (once after installation, half a minute)</source>
             <translation>L'exécution attend la compilation de ses noyaux (une fois après l'installation, une demi-minute)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/docks.py" />
-            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
-            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
@@ -4913,6 +4943,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/edit_notices.py" />
             <source>change of unit alone</source>
             <translation>changement d'unité seul</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Image</source>
+            <translation>Image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Show a second image; drag the handle between them, or press arrows on it</source>
+            <translation>Montrer une seconde image ; faire glisser la poignée entre les deux, ou la déplacer par les flèches</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>More images</source>
+            <translation>Autres images</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Handle between two images</source>
+            <translation>Poignée entre deux images</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5118,6 +5168,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/window_state.py" />
             <source>Stopped; {command} ({keys}) improves the mirror</source>
             <translation>Arrêté ; {command} ({keys}) améliore le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspaces.py" />
+            <source>The view settings ({what}) of this design cannot be restored: {error}</source>
+            <translation>Les réglages d'affichage ({what}) de cette conception ne peuvent être rétablis : {error}</translation>
         </message>
         <message>
             <location filename="../../ui/windows.py" />
@@ -6128,11 +6183,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
             <translation>Où la lumière est voulue, et laquelle. Deux faces de forme libre peuvent former plusieurs images ; une seule forme un compromis.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Image</source>
-            <translation>Image</translation>
         </message>
         <message>
             <location filename="../../workbench" />
