@@ -116,7 +116,7 @@
         <message>
             <location filename="../../ui/commands/actions.py" />
             <source>&amp;Workspace</source>
-            <translation>&amp;Arbeitsbereich</translation>
+            <translation>Arbeitsbereich</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
