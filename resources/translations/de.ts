@@ -1960,18 +1960,18 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
-            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Umschalt-Ziehen verschiebt, das Rad zoomt; auch mit Pfeiltasten, + und −. Strg+1 passt die Linse ein, Strg+2 den Schirm, Strg+0 alles; Strg+D staucht Abstände.</translation>
+            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+Alt+1 fits the lens, Ctrl+Alt+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
+            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Ziehen mit Umschalt verschiebt, das Mausrad zoomt; ebenso Pfeiltasten, + und −. Strg+Alt+1 zeigt die Linse, Strg+Alt+2 den Schirm, Strg+0 alles; Strg+D staucht Abstände.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Irradiance on the screen</source>
-            <translation>Bestrahlungsstärke auf dem Schirm</translation>
+            <source>Image of light</source>
+            <translation>Bild des Lichts</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Flux per area, updated during the run. The error beside it: red is too much light, blue too little. Both images zoom and move together.</source>
-            <translation>Fluss pro Fläche, während des Laufs aktualisiert. Daneben der Fehler: rot ist zu viel Licht, blau zu wenig. Beide Bilder zoomen und bewegen sich gemeinsam.</translation>
+            <source>Flux per area, updated during the run. The buttons above show the target, the difference (red is too much light, blue too little), a photo and the face; Compare shows two of them with a handle between.</source>
+            <translation>Lichtstrom je Fläche, während des Laufs auf dem neuesten Stand. Die Knöpfe darüber zeigen das Ziel, die Differenz (rot ist zu viel Licht, blau zu wenig), ein Foto und die Fläche; Vergleichen zeigt zwei davon mit einem Griff dazwischen.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />

@@ -1960,18 +1960,18 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
-            <translation>Lentille, rayons et écran. Glisser pour tourner, Maj-glisser pour déplacer, molette pour zoomer, ou flèches, + et −. Ctrl+1 ajuste la lentille, Ctrl+2 l'écran, Ctrl+0 tout ; Ctrl+D comprime les distances.</translation>
+            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+Alt+1 fits the lens, Ctrl+Alt+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
+            <translation>Lentille, rayons et écran. Glisser tourne, glisser avec Maj déplace, la molette agrandit ; de même les flèches, + et −. Ctrl+Alt+1 cadre la lentille, Ctrl+Alt+2 l'écran, Ctrl+0 l'ensemble ; Ctrl+D comprime les distances.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Irradiance on the screen</source>
-            <translation>Éclairement sur l'écran</translation>
+            <source>Image of light</source>
+            <translation>Image de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>Flux per area, updated during the run. The error beside it: red is too much light, blue too little. Both images zoom and move together.</source>
-            <translation>Flux par surface, actualisé pendant l'exécution. À côté l'erreur : rouge trop de lumière, bleu trop peu. Les deux images zooment et se déplacent ensemble.</translation>
+            <source>Flux per area, updated during the run. The buttons above show the target, the difference (red is too much light, blue too little), a photo and the face; Compare shows two of them with a handle between.</source>
+            <translation>Flux par surface, à jour pendant le calcul. Les boutons au-dessus montrent la cible, la différence (rouge : trop de lumière, bleu : trop peu), une photo et la face ; Comparer en montre deux avec une poignée entre elles.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />

@@ -46,16 +46,17 @@ STOPS = later(
             "3D scene",
             (
                 "Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or "
-                "use arrow keys, + and −. Ctrl+1 fits the lens, Ctrl+2 the screen, Ctrl+0 "
+                "use arrow keys, + and −. Ctrl+Alt+1 fits the lens, Ctrl+Alt+2 the screen, Ctrl+0 "
                 "everything; Ctrl+D compresses distances."
             ),
         ),
         Stop(
             "irradiance",
-            "Irradiance on the screen",
+            "Image of light",
             (
-                "Flux per area, updated during the run. The error beside it: red is too much "
-                "light, blue too little. Both images zoom and move together."
+                "Flux per area, updated during the run. The buttons above show the target, the "
+                "difference (red is too much light, blue too little), a photo and the face; "
+                "Compare shows two of them with a handle between."
             ),
         ),
         Stop(
