@@ -116,7 +116,7 @@
         <message>
             <location filename="../../ui/commands/actions.py" />
             <source>&amp;Workspace</source>
-            <translation>Arbeitsbereich</translation>
+            <translation>Arbeitsu&amp;mgebung</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />

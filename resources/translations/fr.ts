@@ -116,7 +116,7 @@
         <message>
             <location filename="../../ui/commands/actions.py" />
             <source>&amp;Workspace</source>
-            <translation>Espace de travail</translation>
+            <translation>E&amp;space de travail</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
