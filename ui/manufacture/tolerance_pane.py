@@ -72,7 +72,6 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
 class SpreadView(PlotView):
     """The distribution of the error over the traced lenses."""
 
-    _HAS_BAR = False
     _WAITING = later(
         "Start traces randomly perturbed lenses and shows the distribution of the error."
     )

@@ -5,25 +5,23 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
+from PySide6.QtWidgets import QSpinBox
 
 from ui.background import Background, Task
 from ui.document.frame import same_task
 from ui.views.choices import FaceChoice
-from ui.views.plot_view import PlotView
+from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
-from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
+from workbench.arrays import Array
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import nets_of
+from workbench.pictures.axes import Extent
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
     from ui.document.frame import Frame
@@ -42,7 +40,7 @@ class DerivativeRequest:
     point: "ControlPoint"
 
 
-class DerivativeView(PlotView, ComputingView):
+class DerivativeView(ImageView, ComputingView):
     """Choice of a control point, its derivative map, and the sum of the map."""
 
     _image: DerivativeImage
@@ -57,11 +55,8 @@ class DerivativeView(PlotView, ComputingView):
         self._of: DerivativeRequest | None = None  # what the map answers
         self._faces = FaceChoice()
         self._boxes = (_index_box("x"), _index_box("y"))
-        self._place = QLabel()
-        self._sum = WrappedLabel()
-        self._box.insertLayout(0, self._row())
-        self._box.addWidget(self._sum)
-        self._sum.setContentsMargins(6, 0, 6, 4)
+        for number, control in enumerate((self._faces, *self._boxes)):
+            self._bottom.insertWidget(number, control)
         self._faces.currentIndexChanged.connect(self._turn)
         for box in self._boxes:
             box.valueChanged.connect(self._want)
@@ -91,20 +86,7 @@ class DerivativeView(PlotView, ComputingView):
     def show_nothing(self, session: "Session") -> None:
         self._map = None
         super().show_nothing(session)
-        self._place.clear()
-        self._sum.clear()
-
-    def _row(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 4, 6, 0)
-        name = QLabel(tr("Control point"))
-        name.setToolTip(tr("Choose a control point here, or click it in the 3D scene."))
-        row.addWidget(name)
-        row.addWidget(self._faces)
-        for box in self._boxes:
-            row.addWidget(box)
-        row.addWidget(self._place, 1)
-        return row
+        self._state("")
 
     def _turn(self) -> None:
         self._offer()
@@ -123,7 +105,7 @@ class DerivativeView(PlotView, ComputingView):
     def _want(self) -> None:
         self._background.cancel()
         if self._seen():
-            self._sum.setText(tr("Computed when the design rests…"))
+            self._state(tr("Computed when the design rests…"))
             self._compute_soon()
             self._shared.show(point=self.point)
         self._show_veil()
@@ -136,20 +118,18 @@ class DerivativeView(PlotView, ComputingView):
         frame = self._frame
         assert frame is not None
         request = DerivativeRequest(frame.session.scene, frame.state.heights, self.point)
-        self._sum.setText(tr("Computing…"))
+        self._state(tr("Computing…"))
         self._background.begin(partial(_derivative, request), request)
 
     def _show_map(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
         self._map, self._of = found, request
-        self._place.setText(_place(found, request.scene.unit))
-        self._sum.setText(_sum(found, request.scene.unit))
+        self._state(_in_words(found, request.scene.unit))
         self._show_veil()
         self._ask()
 
     def _give_up(self, sentence: str) -> None:
         self._map = None
-        self._place.clear()
-        self._sum.setText(sentence)
+        self._state(sentence)
         self._ask()
 
     def _is_behind(self) -> bool:
@@ -160,15 +140,22 @@ class DerivativeView(PlotView, ComputingView):
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._map is None:
-            return tr("The map is not computed yet.")
+            return self._stated
         return super()._why_empty(frame)
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        self._image = DerivativeImage(axes, session.scene)
-        return self._image.artists
+    def _extent(self, session: "Session") -> Extent:
+        return Extent.of_receiver(session.scene)
 
-    def _change(self, frame: "Frame") -> bool:
-        return self._image.update(None if self._map is None else self._map.map)
+    def _unit(self, session: "Session") -> str:
+        scene = session.scene
+        per = scene.receiver.density_words(scene.unit).removeprefix("flux / ")
+        return tr("flux / {unit}").format(unit=f"({per} · {scene.unit})")
+
+    def _new_image(self, axes: "Axes", session: "Session") -> DerivativeImage:
+        return DerivativeImage(axes, session.scene)
+
+    def _shown_array(self, frame: "Frame") -> Array | None:
+        return None if self._map is None else self._map.map
 
 
 def _index_box(axis: str) -> QSpinBox:
@@ -179,12 +166,9 @@ def _index_box(axis: str) -> QSpinBox:
     return box
 
 
-def _place(found: "DerivativeMap", unit: str) -> str:
+def _in_words(found: "DerivativeMap", unit: str) -> str:
     x, y = found.position
-    return f"x = {written(x, unit, 3)}, y = {written(y, unit, 3)}"
-
-
-def _sum(found: "DerivativeMap", unit: str) -> str:
+    place = f"x = {written(x, unit, 3)}, y = {written(y, unit, 3)}"
     part = (
         tr(", {part} of the total flux there").format(
             part=written(found.sum / found.flux, digits=2)
@@ -192,9 +176,10 @@ def _sum(found: "DerivativeMap", unit: str) -> str:
         if found.flux
         else ""
     )
-    return tr("Sum: flux on the screen changes by {sum} per {unit}{part}").format(
+    total = tr("Sum: flux on the screen changes by {sum} per {unit}{part}").format(
         sum=written(found.sum, digits=2), unit=unit, part=part
     )
+    return f"{place}. {total}"
 
 
 def _derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QSlider
 
 from ui.background import Background, Task, other_cores
 from ui.document.frame import same_task
@@ -18,9 +18,7 @@ from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, View
-from ui.widgets.controls import filled
 from ui.widgets.figures import translate
-from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.arrays import Array
@@ -76,7 +74,7 @@ class FocusCurveView(View):
 
     def __init__(self) -> None:
         super().__init__()
-        self._canvas = PlotCanvas(self, bar=False)
+        self._canvas = PlotCanvas(self)
         self._box.addWidget(self._canvas)
         self.setMinimumHeight(self.sizeHint().height())
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
@@ -151,7 +149,6 @@ class FocusView(LightImageView, ComputingView):
             )
         )
         self._slider.valueChanged.connect(self._slide)
-        self._place = WrappedLabel()
         self._back = QPushButton(tr("At screen"))
         self._back.setToolTip(tr("Return to the distance of the screen"))
         self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
@@ -159,16 +156,17 @@ class FocusView(LightImageView, ComputingView):
         self._more.setToolTip(tr("Plot the error against the distance"))
         self._more.setCheckable(True)
         self._more.toggled.connect(self._show_curve)
-        row = filled(QHBoxLayout(), (self._slider, 1), self._back, self._more, margins=(6, 0, 6, 2))
-        self._place.setContentsMargins(6, 0, 6, 4)
+        for number, control in enumerate((self._slider, self._back, self._more), 2):
+            self._bottom.insertWidget(number, control)
         self._curve = FocusCurveView()
         self._curve.hide()
-        self._box.addLayout(row)
-        self._box.addWidget(self._place)
         self.add_below(self._curve)
 
     def _number(self, session: "Session") -> int:
         return 0
+
+    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+        return (self._stated,)
 
     @property
     def z(self) -> float:
@@ -183,7 +181,7 @@ class FocusView(LightImageView, ComputingView):
     def show_nothing(self, session: "Session") -> None:
         self._forget()
         super().show_nothing(session)
-        self._place.clear()
+        self._state("")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -195,7 +193,7 @@ class FocusView(LightImageView, ComputingView):
             control.setEnabled(at_a_distance)
         if not at_a_distance:
             self._want_nothing()
-            self._place.setText(tr(_NO_DISTANCE))
+            self._state(tr(_NO_DISTANCE))
         elif self._seen():
             self._show_place(tr("computed when the design rests…"))
             self._compute_soon()
@@ -249,7 +247,7 @@ class FocusView(LightImageView, ComputingView):
         assert self._frame is not None
         at_screen = f" ({tr('screen')})" if self._slider.value() == _SCREEN else ""
         place = written(self.z, self._frame.session.scene.unit)
-        self._place.setText(f"z = {place}{at_screen}: {what}")
+        self._state(f"z = {place}{at_screen}: {what}")
 
     def _show_curve(self, shown: bool) -> None:
         self._curve.setVisible(shown)

@@ -7,14 +7,16 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
+from ui.views.image_canvas import ImageCanvas, Touch
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import Part, Place, SharedView
 from ui.views.tools import ARROWS, COMMANDS, ZOOMS
 from ui.widgets.controls import filled
+from ui.widgets.labels import ElidedLabel
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Extent, pixel_at
@@ -29,8 +31,9 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
 
-_NARROWEST = 200  # pixels; less would be labels alone
+_NARROWEST = 200  # pixels
 _BESIDE = 6  # as narrow, images that fit on a screen
+_AROUND = 4  # pixels around the controls of the row below, which is as high in all images
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake
@@ -40,31 +43,33 @@ _STEP = 0.1  # of what is seen, for an arrow
 class ImageView(PlotView):
     """Shows an image, and its value under the pointer."""
 
+    _canvas: ImageCanvas
     _image: Any  # of workbench.pictures: artists, update(array), values
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self.setMinimumWidth(min(_NARROWEST, self.screen().availableSize().width() // _BESIDE))
-        self._axes: Axes | None = None
         self._values: Array | None = None
         self._pointed: Place | None = None
-        self._pointer: Place | None = None  # pixels, while the mouse is on this image
-        self._grip: tuple[Place, Place] | None = None  # pixels and place where a drag began
+        self._pointer: QPointF | None = None  # while the mouse is on this image
+        self._grip: Touch | None = None  # where a drag began
         self._dragged = False
+        self._look = self._options()
+        self._stated = ""
         self._readout = _Readout()
-        self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._readout.setAccessibleName(tr("Value under the pointer"))
         self._readout.resized.connect(self._read)
-        self._bottom = filled(QHBoxLayout(), (self._readout, 1), margins=(6, 0, 6, 2))
-        self._box.addLayout(self._bottom)
-        self._shared.changed.connect(self._ask)
+        row = QWidget()
+        row.setFixedHeight(QComboBox().sizeHint().height() + _AROUND)
+        self._bottom = filled(QHBoxLayout(row), (self._readout, 1), margins=(6, 0, 6, 0))
+        self._box.addWidget(row)
+        self._shared.changed.connect(self._follow)
         self._shared.pointed.connect(self._point)
-        canvas = self._canvas
-        canvas.mpl_connect("scroll_event", self._turn_wheel)
-        canvas.mpl_connect("button_press_event", self._press)
-        canvas.mpl_connect("button_release_event", self._release)
-        canvas.mpl_connect("motion_notify_event", self._move)
-        canvas.mpl_connect("axes_leave_event", lambda _: self._leave())
+        self._canvas.turned.connect(self._turn_wheel)
+        self._canvas.pressed.connect(self._press)
+        self._canvas.released.connect(self._release)
+        self._canvas.moved.connect(self._move)
+        self._canvas.left.connect(self._leave)
 
     def show_nothing(self, session: "Session") -> None:
         self._values = None
@@ -92,7 +97,7 @@ class ImageView(PlotView):
         before = self._shown
         if before is not None and self._extent(before).bounds != self._extent(session).bounds:
             self._shared.show(part=None)
-        self._axes, self._image = axes, self._new_image(axes, session)
+        self._image = self._new_image(axes, session)
         return list(self._image.artists)
 
     def _change(self, frame: "Frame") -> bool:
@@ -111,24 +116,33 @@ class ImageView(PlotView):
     def _new_image(self, axes: "Axes", session: "Session") -> Any: ...
 
     @abstractmethod
-    def _shown_array(self, frame: "Frame") -> Array: ...
+    def _shown_array(self, frame: "Frame") -> Array | None: ...
+
+    def _new_canvas(self) -> ImageCanvas:
+        return ImageCanvas(self)
+
+    def _options(self) -> tuple[object, ...]:
+        """What makes another image of the same light."""
+        now = self._shared.now
+        return now.number, now.logarithmic, now.colours
+
+    def _follow(self) -> None:
+        if self._options() != self._look:
+            self._look = self._options()
+            self._begin_anew()
+        if self._shown is not None:
+            self._adapt()
 
     def _adapt(self) -> bool:
-        axes, part = self._axes, self._part()
-        assert axes is not None
-        other = part != (*axes.get_xlim(), *axes.get_ylim())
-        if other:
-            axes.set_xlim(*part[:2])
-            axes.set_ylim(*part[2:])
+        self._canvas.show_part(self._part())
         if self._pointer is not None:  # at rest, while keys or another design move the image
-            axes.apply_aspect()  # where drawing will put them
-            self._shared.pointed.emit(self._place_at(*self._pointer))
-        return other
+            self._shared.pointed.emit(self._canvas.place_at(self._pointer))
+        return False
 
     def _click(self, place: Place) -> None: ...
 
-    def _drag(self, event: Any, start: Place) -> None:
-        there = self._place_at(event.x, event.y)
+    def _drag(self, touch: Touch, start: Place) -> None:
+        there = self._canvas.place_at(touch.at)
         left, right, bottom, top = self._part()
         dx, dy = start[0] - there[0], start[1] - there[1]
         self._show_part((left + dx, right + dx, bottom + dy, top + dy))
@@ -140,14 +154,14 @@ class ImageView(PlotView):
         self._read()
 
     def _read(self) -> None:
-        if self._shown is None or self._values is None:
+        if self._shown is None:
             self._readout.clear()
             return
         extent, pixel = self._extent(self._shown), None
-        if self._pointed is not None:
+        if self._pointed is not None and self._values is not None:
             x, y = self._pointed
             pixel = pixel_at(extent.bounds, self._values.shape, x, y)
-        if pixel is None:
+        if pixel is None or self._values is None:
             self._readout.show_widest(*self._at_rest(self._shown))
         else:
             value = written(self._values[pixel], self._unit(self._shown))
@@ -159,12 +173,17 @@ class ImageView(PlotView):
             short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
             self._readout.show_widest(whole, short, value)
 
-    def _at_rest(self, session: "Session") -> tuple[str, ...]:
-        return ("",)
+    def _state(self, text: str) -> None:
+        """Show a sentence wherever there is no value under the pointer."""
+        self._stated = text
+        self._read()
 
-    def _turn_wheel(self, event: Any) -> None:
-        if event.inaxes is self._axes and self._shown is not None:
-            self._zoom((event.xdata, event.ydata), event.step)
+    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+        return (self._stated,)
+
+    def _turn_wheel(self, touch: Touch, steps: float) -> None:
+        if touch.inside and self._shown is not None:
+            self._zoom(touch.place, steps)
 
     def _zoom(self, about: Place, steps: float) -> None:
         left, right, bottom, top = self._part()
@@ -180,39 +199,34 @@ class ImageView(PlotView):
                 )
             )
 
-    def _press(self, event: Any) -> None:
-        if event.inaxes is not self._axes or event.button != 1 or self._shown is None:
+    def _press(self, touch: Touch) -> None:
+        if not touch.inside or self._shown is None:
             return
-        if event.dblclick:
+        if touch.double:
             self._shared.show(part=None)
-        self._grip = (event.x, event.y), (event.xdata, event.ydata)
-        self._dragged = event.dblclick
+        self._grip, self._dragged = touch, touch.double
 
-    def _move(self, event: Any) -> None:
-        if event.inaxes is self._axes and self._axes is not None:
-            self._pointer = event.x, event.y
-            self._shared.pointed.emit((event.xdata, event.ydata))
-        if self._grip is None:
-            return
-        (i, j), start = self._grip
-        self._dragged |= abs(event.x - i) + abs(event.y - j) > _DRAG
-        if self._dragged:
-            self._drag(event, start)
+    def _move(self, touch: Touch) -> None:
+        if touch.inside:
+            self._pointer = touch.at
+            self._shared.pointed.emit(touch.place)
+        else:
+            self._leave()
+        if self._grip is not None:
+            self._dragged |= (touch.at - self._grip.at).manhattanLength() > _DRAG
+            if self._dragged:
+                self._drag(touch, self._grip.place)
 
     def _leave(self) -> None:
-        self._pointer = None
-        self._shared.pointed.emit(None)
+        if self._pointer is not None:
+            self._pointer = None
+            self._shared.pointed.emit(None)
 
-    def _place_at(self, x: float, y: float) -> Place:
-        assert self._axes is not None
-        across, up = self._axes.transData.inverted().transform((x, y))
-        return float(across), float(up)
-
-    def _release(self, event: Any) -> None:
+    def _release(self) -> None:
         if self._grip is not None and self._dragged:
             self._drop()
         elif self._grip is not None:
-            self._click(self._grip[1])
+            self._click(self._grip.place)
         self._grip = None
 
     def _show_part(self, part: Part) -> None:
@@ -230,8 +244,12 @@ class ImageView(PlotView):
         return self._extent(self._shown).bounds
 
 
-class _Readout(QLabel):
+class _Readout(ElidedLabel):
     resized = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     def show_widest(self, *texts: str) -> None:
         width, wide = self.width(), self.fontMetrics().horizontalAdvance

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QToolButton
 
 from ui.document.frame import same_task
 from ui.views.choices import ImageChoice
+from ui.views.image_canvas import Touch
 from ui.views.image_view import ImageView
 from ui.views.region_tool import RegionMarks, RegionTool
 from ui.views.shared_view import Place, SharedView
@@ -117,9 +118,10 @@ class ScreenImageView(ImageView):
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         artists = super()._begin(axes, session)
         look: dict[str, Any] = {"color": _MARK, "linewidth": 0.9, "visible": False}
+        left, right, bottom, top = self._extent(session).bounds
         self._marks = [
-            axes.axvline(0, linestyle="--", **look),
-            axes.axhline(0, linestyle="--", **look),
+            axes.plot([0, 0], [bottom, top], linestyle="--", **look)[0],
+            axes.plot([left, right], [0, 0], linestyle="--", **look)[0],
             axes.plot([], [], marker="o", markersize=3, **look | {"linewidth": 1.4})[0],
             axes.plot([], [], marker="o", markersize=3, **look | _DRAFT)[0],
         ]
@@ -127,7 +129,6 @@ class ScreenImageView(ImageView):
         return [*artists, *self._marks, *self._regions.artists]
 
     def _adapt(self) -> bool:
-        everything = super()._adapt()
         now, (upright, level, line, draft) = self._shared.now, self._marks
         self._line_tool.setChecked(now.drawing)
         self._canvas.setCursor(_CROSS if now.marking else _ARROW)
@@ -142,7 +143,7 @@ class ScreenImageView(ImageView):
             level.set_ydata([now.pin[1]] * 2)
         if now.line is not None:
             line.set_data(*zip(*now.line, strict=True))
-        return everything
+        return super()._adapt()
 
     def _click(self, place: Place) -> None:
         if self._shared.now.marking:
@@ -150,24 +151,24 @@ class ScreenImageView(ImageView):
         else:
             self._shared.pinned.emit(place)
 
-    def _press(self, event: Any) -> None:
-        if self._shared.now.marking and event.dblclick:
+    def _press(self, touch: Touch) -> None:
+        if self._shared.now.marking and touch.double:
             self._hand.close()
             return
-        super()._press(event)
+        super()._press(touch)
         if self._grip is not None and self._shared.now.marking:
-            self._hand.press(self._marked_scene(), self._grip[1], self._margin())
-        shift = event.guiEvent.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        self._draws = self._grip is not None and (self._shared.now.drawing or bool(shift))
+            near = _NEAR / self._canvas.scale
+            self._hand.press(self._marked_scene(), touch.place, (near, near))
+        self._draws = self._grip is not None and (self._shared.now.drawing or touch.shift)
 
-    def _drag(self, event: Any, start: Place) -> None:
+    def _drag(self, touch: Touch, start: Place) -> None:
         if self._shared.now.marking:
-            if event.inaxes is self._axes:
-                self._hand.drag((event.xdata, event.ydata))
+            if touch.inside:
+                self._hand.drag(touch.place)
         elif not self._draws:
-            super()._drag(event, start)
-        elif event.inaxes is self._axes:
-            self._shared.show(line=(start, (event.xdata, event.ydata)))
+            super()._drag(touch, start)
+        elif touch.inside:
+            self._shared.show(line=(start, touch.place))
 
     def _drop(self) -> None:
         if self._shared.now.marking:
@@ -179,13 +180,6 @@ class ScreenImageView(ImageView):
         assert self._session is not None  # since there is a picture
         return self._session.of_image(self._number(self._session)).scene
 
-    def _margin(self) -> Place:
-        assert self._axes is not None
-        box = self._axes.get_window_extent()
-        left, right, bottom, top = self._part()
-        near = _NEAR * self._canvas.device_pixel_ratio
-        return near * (right - left) / box.width, near * (top - bottom) / box.height
-
 
 class LightImageView(ScreenImageView):
     """View of light with shared scale and colours, on a scale that follows the target."""
@@ -195,7 +189,6 @@ class LightImageView(ScreenImageView):
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
-        self._look = (False, "")  # logarithmic, colours
         self._logarithmic = self._add_tool(
             "logarithmic",
             tr("Logarithmic colours"),
@@ -204,18 +197,14 @@ class LightImageView(ScreenImageView):
         self._logarithmic.toggled.connect(self._shared.slot("logarithmic"))
 
     def _new_image(self, axes: "Axes", session: "Session") -> IrradianceImage:
-        self._look = (False, "")
-        return IrradianceImage(axes, session.scene, session.target, self._NAME)
+        image = IrradianceImage(axes, session.scene, session.target, self._NAME)
+        image.set_logarithmic(self._shared.now.logarithmic)
+        image.set_colours(self._shared.now.colours)
+        return image
 
     def _adapt(self) -> bool:
-        everything, now = super()._adapt(), self._shared.now
-        self._logarithmic.setChecked(now.logarithmic)
-        if (now.logarithmic, now.colours) == self._look:
-            return everything
-        self._look = now.logarithmic, now.colours
-        self._image.set_logarithmic(now.logarithmic)
-        self._image.set_colours(now.colours)
-        return True
+        self._logarithmic.setChecked(self._shared.now.logarithmic)
+        return super()._adapt()
 
 
 class IrradianceView(LightImageView):

@@ -103,7 +103,6 @@ _AGAINST: tuple[Against, ...] = ("iterations", "seconds")
 class LossView(PlotView):
     """Loss of this run, of runs that it continues, and of others."""
 
-    _HAS_BAR = False
     _picture: LossPicture
 
     def __init__(self, shared: SharedView | None = None) -> None:

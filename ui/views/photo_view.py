@@ -2,29 +2,27 @@
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSlider,
-    QVBoxLayout,
-)
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSlider
 
 from ui.background import Background, Task, other_cores
 from ui.document.frame import same_light
 from ui.views.choices import ImageChoice
+from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
-from ui.widgets.labels import WrappedLabel
-from ui.widgets.native import ScaledImage, rgb_image
 from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
+from workbench.pictures.axes import Extent
+from workbench.pictures.images import PhotoImage
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+    from matplotlib.axes import Axes
+
     from ui.document.frame import Frame
     from workbench.analysis.photo.photo import Photo
     from workbench.files.session import Session
@@ -63,16 +61,13 @@ def predict_photo(request: PhotoRequest, task: Task) -> "Photo | None":
     return task.follow(steps, task.report)
 
 
-_USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
-
-
 _WORK = later("photo prediction")
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
 _NO_LENS = later("There is no lens yet. Start designs one.")
 _WAITS = later("The photo is predicted when the design rests.")
 
 
-class PhotoView(ComputingView):
+class PhotoView(ImageView, ComputingView):
     """The photo, its exposure, and the illumination."""
 
     def __init__(self, shared: SharedView | None = None) -> None:
@@ -80,22 +75,15 @@ class PhotoView(ComputingView):
         self._shared.changed.connect(self._want)
         self._predicted: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
-        self._summary = WrappedLabel(tr(_NO_LENS))
-        self._summary.setContentsMargins(6, 0, 6, 4)
         self._background = Background(_WORK, self)
         self._background.progressed.connect(
-            lambda _, part: self._summary.setText(
-                tr("Predicting… {part:.0f} %").format(part=100 * part)
-            )
+            lambda _, part: self._state(tr("Predicting… {part:.0f} %").format(part=100 * part))
         )
         self._background.done.connect(self._show)
-        self._background.failed.connect(self._summary.setText)
-        self._pixels = ScaledImage(_USUAL)
-        self._pixels.setMinimumSize(_LEAST)
-        self._box.addWidget(self._pixels, 1)
-        self._box.addLayout(self._controls())
-        self._box.addWidget(self._summary)
-        self.setFocusProxy(self._slider)
+        self._background.failed.connect(self._state)
+        self._state(tr(_NO_LENS))
+        self._readout.setAccessibleName(tr("State of the photo"))
+        self._add_controls()
 
     @property
     def photo(self) -> "Photo | None":
@@ -110,11 +98,10 @@ class PhotoView(ComputingView):
 
     def show_nothing(self, session: "Session") -> None:
         self._predicted = None
-        self._pixels.clear()
         super().show_nothing(session)
-        self._summary.setText(tr(_NO_LENS))
+        self._state(tr(_NO_LENS))
 
-    def _controls(self) -> QVBoxLayout:
+    def _add_controls(self) -> None:
         self._choice = ImageChoice(self._shared)
         self._light = QComboBox()
         self._light.setAccessibleName(tr("Light of the photo"))
@@ -145,14 +132,8 @@ class PhotoView(ComputingView):
         self._usual.setMaximumWidth(2 * self._usual.sizeHint().height())
         self._usual.clicked.connect(lambda: self._slider.setValue(0))
         self._expose()
-        rows = QVBoxLayout()
-        rows.setContentsMargins(6, 2, 6, 2)
-        for widgets in ((self._slider, self._stops, self._usual), (self._light, self._choice)):
-            row = QHBoxLayout()
-            for widget in widgets:
-                row.addWidget(widget, 1 if widget in (self._slider, self._light) else 0)
-            rows.addLayout(row)
-        return rows
+        for widget in (self._light, self._slider, self._stops, self._usual, self._choice):
+            self._bottom.addWidget(widget)
 
     def _expose(self) -> None:
         self._stops.setText(_in_thirds(self._slider.value()))
@@ -204,17 +185,32 @@ class PhotoView(ComputingView):
         self._show_veil()
         if self._known(request) and self._predicted is not None:
             text = tr(self._predicted[1].summary)
-            self._summary.setText(f"{text[0].upper()}{text[1:]}.")
+            self._state(f"{text[0].upper()}{text[1:]}.")
         elif not self._background.busy:
             before = "" if self._predicted is None else tr("Outdated. ")
-            self._summary.setText(before + tr(_WAITS))
+            self._state(before + tr(_WAITS))
+        if self._predicted is None:
+            self._ask()  # since a state is shown in place of the photo
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        if self._predicted is not None:
-            photo = self._predicted[1]
-            image = rgb_image(photo.picture(self.stops))
-            self._pixels.show_image(image, photo.aspect * image.width() / image.height())
-            self._pixels.repaint()
+        super()._draw(*self._of_image(session, frame))
+
+    def _why_empty(self, frame: "Frame | None") -> str:
+        return self._stated if self._predicted is None else ""
+
+    def _extent(self, session: "Session") -> Extent:
+        return Extent.of_receiver(session.scene)
+
+    def _unit(self, session: "Session") -> str:
+        return ""
+
+    def _new_image(self, axes: "Axes", session: "Session") -> PhotoImage:
+        return PhotoImage(axes, session.scene)
+
+    def _shown_array(self, frame: "Frame") -> "npt.NDArray[Any]":
+        if self._predicted is None:
+            return np.zeros((1, 1, 3), dtype=np.uint8)
+        return self._predicted[1].picture(self.stops)
 
 
 def _in_thirds(steps: int) -> str:

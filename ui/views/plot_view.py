@@ -1,15 +1,12 @@
-"""A matplotlib canvas that redraws only what changed, and the view around it.
+"""A matplotlib canvas for curves that redraws only what changed, and the base of all plots.
 
 1. A full draw takes 30 ms, blitting animated artists a third of that: full draws are kept as the
    background.
-2. Constrained layout takes several times as long as drawing: margins are fixed in pixels, and the
-   labels of a colour bar are measured at full draws.
-3. A narrow image omits the name of its vertical axis; files have all names.
-4. Drawing ends before `show_changes` returns, so that its cost can be measured.
-5. A new size is drawn when it is painted, one canvas in a turn of the event loop.
+2. Constrained layout takes several times as long as drawing: margins are fixed in pixels.
+3. Drawing ends before `show_changes` returns, so that its cost can be measured.
+4. A new size is drawn when it is painted, one canvas in a turn of the event loop.
 """
 
-import math
 from abc import abstractmethod
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -34,6 +31,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from ui.document.frame import same_task
+from ui.views.image_canvas import FILE_DPI, INK, PAPER, ImageCanvas
 from ui.views.shared_view import SharedView
 from ui.views.view import View, drawing_queue
 from ui.widgets.figures import translate, translate_axes
@@ -45,26 +43,15 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
 
-# Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
-_LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12
-_TOP_OF_IMAGE = 24  # the unit of its light, and a power of ten
-_LEFT_OF_NARROW, _NARROW = 46, 440  # of an image without the name of its upright axis
-_SPAN = 1.105  # of axes with a colour bar, in widths of the axes
-_BAR_LABELS = 62.0  # to begin with
+_LEFT, _BOTTOM, _RIGHT, _TOP = 84, 40, 18, 12  # pixels, for labels
 _LEAST = 30  # of axes; on smaller ones labels lie over each other
-_EDGE, _SLACK = 4.0, 20.0  # between the widest label and the end, at least and at most
-_TRIES = 3  # with wider labels, other numbers may stand beside the bar
-_FILE_DPI = 200
-_INK, _PAPER = "black", "white"  # of files, which are read and printed elsewhere
 
 
 class PlotCanvas(FigureCanvasQTAgg):
     """A figure with one set of axes whose artists change often."""
 
-    def __init__(self, parent: QWidget, bar: bool) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(Figure())
-        self._bar = bar
-        self._bar_labels = _BAR_LABELS
         self.setParent(parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -76,18 +63,8 @@ class PlotCanvas(FigureCanvasQTAgg):
     @property
     def has_space(self) -> bool:
         """Whether there is space for axes beside their labels."""
-        across = self.width() - self._left - (self._bar_labels if self._bar else _RIGHT)
-        return bool(min(across, self.height() - _BOTTOM - _TOP) >= _LEAST)
-
-    @property
-    def _narrow(self) -> bool:
-        return self._bar and self.width() < _NARROW
-
-    @property
-    def _left(self) -> int:
-        if not self._bar:
-            return _LEFT_OF_CURVE
-        return _LEFT_OF_NARROW if self._narrow else _LEFT_OF_IMAGE
+        across, up = self.width() - _LEFT - _RIGHT, self.height() - _BOTTOM - _TOP
+        return bool(min(across, up) >= _LEAST)
 
     def begin(self) -> Axes:
         self._artists = ()
@@ -128,19 +105,14 @@ class PlotCanvas(FigureCanvasQTAgg):
     def draw(self) -> None:
         """Draw everything, and keep all but the artists as background."""
         self._stale = False
-        self._name_axes(not self._narrow)
-        for _ in range(_TRIES):
-            super().draw()
-            if not self._widen_labels():
-                break
+        super().draw()
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
 
     def write(self, file: BinaryIO, format: str) -> None:
         """Write the figure as "png" or "svg", black on white."""
-        paint(self.figure, _INK, _PAPER)
-        self._name_axes(True)
-        self.figure.savefig(file, format=format, dpi=_FILE_DPI)
+        paint(self.figure, INK, PAPER)
+        self.figure.savefig(file, format=format, dpi=FILE_DPI)
         self.recolour()
         self.draw()
 
@@ -189,68 +161,32 @@ class PlotCanvas(FigureCanvasQTAgg):
 
     def _place(self) -> None:
         width, height = max(self.width(), 1), max(self.height(), 1)
-        left = self._left
-        if self._bar:
-            right = left + (width - left - self._bar_labels) / _SPAN
-        else:
-            right = float(width - _RIGHT)
         self.figure.subplots_adjust(
-            left=left / width,
-            right=max(right, left + 1) / width,
+            left=_LEFT / width,
+            right=max(width - _RIGHT, _LEFT + 1) / width,
             bottom=_BOTTOM / height,
-            top=max(height - (_TOP_OF_IMAGE if self._bar else _TOP), _BOTTOM + 1) / height,
+            top=max(height - _TOP, _BOTTOM + 1) / height,
         )
         self._background = None
-
-    def _name_axes(self, named: bool) -> None:
-        if self._bar:
-            for axes in self.figure.axes:
-                for each in (axes, *axes.child_axes):
-                    each.yaxis.label.set_visible(named)
-                for bar in axes.child_axes:
-                    above = "" if named else bar.get_ylabel()
-                    colour, size = bar.yaxis.label.get_color(), bar.yaxis.label.get_fontsize()
-                    axes.set_title(above, loc="right", fontsize=size, color=colour, pad=5)
-                    bar.yaxis.get_offset_text().set_fontsize(size)
-
-    def _widen_labels(self) -> bool:
-        bars = [bar for axes in self.figure.axes for bar in axes.child_axes]
-        if not bars:
-            return False
-        labels = bars[0].yaxis.get_tightbbox(self.get_renderer())
-        assert labels is not None  # it has a name
-        beyond = labels.x1 - bars[0].get_window_extent().x1
-        needed = math.ceil(beyond / self.device_pixel_ratio) + _EDGE
-        # Narrowing the labels at once may make them wider again, without end.
-        if self._bar_labels - _SLACK <= needed <= self._bar_labels:
-            return False
-        self._bar_labels = needed
-        self._place()
-        return True
 
     def _draw_artists(self) -> None:
         for artist in self._artists:
             if artist.axes is not None and artist.axes.get_visible():
                 self.figure.draw_artist(artist)
-        for axes in self.figure.axes:
-            if axes.images and axes.get_visible():
-                for edge in axes.spines.values():  # of which an image has covered one half
-                    self.figure.draw_artist(edge)
 
 
 class PlotView(View):
-    """Holds a canvas with a plot of one design."""
+    """Holds a canvas with a plot of one design, of curves unless it is overridden."""
 
     touched = Signal()
 
-    _HAS_BAR = True
     _WAITING = later("The image is being computed.")
     _TOO_SMALL = later("Too little space for a plot.")
     _NOTHING = later("There is no image: this design cannot be traced.")
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
-        self._canvas = PlotCanvas(self, bar=self._HAS_BAR)
+        self._canvas = self._new_canvas()
         self._canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._canvas.installEventFilter(self)
         self.setFocusProxy(self._canvas)
@@ -313,6 +249,9 @@ class PlotView(View):
         if everything:
             translate_axes(self._canvas.figure)
         self._canvas.show_changes(everything)
+
+    def _new_canvas(self) -> PlotCanvas | ImageCanvas:
+        return PlotCanvas(self)
 
     def _begin_anew(self) -> None:
         self._anew = True

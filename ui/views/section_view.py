@@ -43,7 +43,6 @@ _Keys = Qt.KeyboardModifier
 class SectionView(PlotView):
     """Cross-section through the pinned point or along the drawn line."""
 
-    _HAS_BAR = False
     _curves: SectionCurves
 
     def __init__(self, shared: SharedView | None = None) -> None:

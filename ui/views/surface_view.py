@@ -4,11 +4,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, BinaryIO
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout
 
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
-from ui.widgets.controls import Chooser, filled
+from ui.widgets.controls import Chooser
 from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Column, Extent
@@ -25,7 +24,7 @@ _FONT = 9  # of the name of a face in files
 
 
 class FaceMapView(ImageView):
-    """Map of a face and a quantity, both chosen above it; a quantity has a name and a tip."""
+    """Map of a face and a quantity, both chosen below it; a quantity has a name and a tip."""
 
     def __init__(self, quantities: Sequence[tuple[str, str]]) -> None:
         super().__init__()
@@ -36,8 +35,8 @@ class FaceMapView(ImageView):
             self.chooser.setItemData(number, f"<p>{tip}</p>", Qt.ItemDataRole.ToolTipRole)
         self.faces.currentIndexChanged.connect(self._choose)
         self.chooser.currentIndexChanged.connect(self._choose)
-        row = filled(QHBoxLayout(), self.faces, (self.chooser, 1), margins=(6, 4, 6, 0))
-        self._box.insertLayout(0, row)
+        for number, choice in enumerate((self.faces, self.chooser)):
+            self._bottom.insertWidget(number, choice)
         self._choose()
 
     @property
@@ -63,12 +62,9 @@ class SurfaceView(FaceMapView):
 
     def write(self, file: BinaryIO, format: str) -> None:
         """Write the plot as "png" or "svg", named by the face if there are two."""
-        if self._axes is not None:
-            self._axes.set_title(self.faces.needed, loc="left", fontsize=_FONT)
+        for axes in self._canvas.figure.axes:
+            axes.set_title(self.faces.needed, loc="left", fontsize=_FONT)
         super().write(file, format)
-        if self._axes is not None:
-            self._axes.set_title("", loc="left")
-            self._canvas.draw_idle()
 
     def data(self) -> list[Column]:
         """Data of the map, named by the face if there are two."""

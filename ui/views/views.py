@@ -58,7 +58,8 @@ class Views(QObject):
 
     @property
     def plots(self) -> dict[str, PlotView]:
-        return {name: view for name, view in self.around.items() if isinstance(view, PlotView)}
+        views = {name: view for name, view in self.around.items() if view is not self.photo}
+        return {name: view for name, view in views.items() if isinstance(view, PlotView)}
 
     @property
     def computing(self) -> dict[str, ComputingView]:

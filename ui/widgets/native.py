@@ -41,11 +41,17 @@ class Uncovered(QObject):
 
 
 def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
-    """Return an image from colours (n_y, n_x, 3), with its own copy of the data."""
-    rows, columns, _ = colours.shape
+    """Return an image from colours (n_y, n_x, 3 or 4), with its own copy of the data."""
+    rows, columns, channels = colours.shape
     data = np.ascontiguousarray(colours)
-    image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
-    return image.copy()  # the data are numpy's
+    kinds = QImage.Format
+    given, own = (
+        (kinds.Format_RGB888, kinds.Format_RGB32)
+        if channels == 3
+        else (kinds.Format_RGBA8888, kinds.Format_ARGB32_Premultiplied)
+    )
+    image = QImage(data.data, columns, rows, channels * columns, given)
+    return image.convertToFormat(own)  # the data are numpy's; these formats are painted fastest
 
 
 class ScaledImage(QWidget):

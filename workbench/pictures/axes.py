@@ -8,9 +8,16 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.ticker import Formatter, MaxNLocator, ScalarFormatter
+from matplotlib.ticker import (
+    FixedLocator,
+    Formatter,
+    LogLocator,
+    MaxNLocator,
+    ScalarFormatter,
+)
 
 from workbench.arrays import Array
 from workbench.powers import power_of, with_power, without_power, written
@@ -208,6 +215,28 @@ def set_round_ticks(axes: "Axes") -> None:
         axis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 5, 10], min_n_ticks=2))
     set_tick_labels(axes, "x")
     set_tick_labels(axes, "y")
+
+
+def ticks_along(axis: Axis, most: int) -> list[tuple[float, str]]:
+    """Return place and number of up to ``most`` round ticks of an axis, for other painters.
+
+    A place is 0 at the start and 1 at the end of the axis, on whatever scale.
+    """
+    ends, locator = np.asarray(axis.get_view_interval()), axis.get_major_locator()
+    logarithmic = axis.get_scale() == "log"
+    if not isinstance(locator, FixedLocator):
+        locator = LogLocator() if logarithmic else MaxNLocator(max(most, 1), steps=[1, 2, 5, 10])
+    values = np.asarray(locator.tick_values(*ends))
+    values = values[(values >= ends.min()) & (values <= ends.max())]
+    numbers = (
+        [written(value) for value in values.tolist()]
+        if logarithmic
+        else axis.get_major_formatter().format_ticks(values.tolist())
+    )
+    scale = axis.get_transform().transform
+    start, end = scale(ends)
+    places = (scale(values) - start) / (end - start)
+    return list(zip(places.tolist(), numbers, strict=True))
 
 
 def round_scale(largest: float) -> float:

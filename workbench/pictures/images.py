@@ -29,6 +29,7 @@ from workbench.pictures.axes import (
     stable_scale,
 )
 from workbench.scene import Scene
+from workbench.scene.image import inverted
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -171,10 +172,12 @@ def _table(name: str) -> npt.NDArray[np.uint8]:
 
 
 class DerivativeImage(UpdatedPicture):
-    """Map of a derivative on axes of the caller.
+    """Map of a derivative on axes of the caller; ``values`` (n_y, n_x) are shown.
 
     The scale is symmetric about zero. Pixels that the control point does not reach are grey.
     """
+
+    values: Array
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
         colours = colormaps[SIGNED].with_extremes(bad=_UNAFFECTED)
@@ -190,6 +193,7 @@ class DerivativeImage(UpdatedPicture):
         """Show a derivative (n_y, n_x), flux per area and length; None shows zeros."""
         if derivative is None:
             derivative = np.zeros(self._image.get_array().shape)
+        self.values = derivative
         self._image.set_data(np.ma.masked_equal(derivative, 0))
         scale = float(np.abs(derivative).max()) or 1.0
         if scale == self._scale:
@@ -197,3 +201,21 @@ class DerivativeImage(UpdatedPicture):
         self._scale = scale
         self._image.set_clim(-scale, scale)
         return True
+
+
+class PhotoImage(UpdatedPicture):
+    """A predicted photo on axes of the caller, as its viewer sees it; it has no ``values``."""
+
+    values = None
+
+    def __init__(self, axes: "Axes", scene: Scene) -> None:
+        self._image = receiver_map(axes, "photo", scene, UNSIGNED[-1])
+        if inverted(scene):
+            left, right, bottom, top = self._image.get_extent()
+            self._image.set_extent((right, left, bottom, top))
+        self.artists = [self._image]
+
+    def update(self, colours: npt.NDArray[np.uint8]) -> bool:
+        """Show colours (n_y, n_x, 3)."""
+        self._image.set_data(colours)
+        return False

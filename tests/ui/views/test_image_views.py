@@ -1,5 +1,7 @@
 """Images of the screen: zoomed and moved together, read under the pointer, cut along lines."""
 
+import math
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -42,9 +44,9 @@ def section(views, frame, show, qtbot):
 
 
 def place(view, x, y):
-    """Where a place on the screen is in the canvas."""
-    i, j = view._axes.transData.transform((x, y)) / view._canvas.device_pixel_ratio
-    return QPoint(round(i), round(view._canvas.height() - j))
+    """The pixel of the canvas where a place on the screen is."""
+    at = view._canvas.position_of(x, y)
+    return QPoint(math.floor(at.x()), math.floor(at.y()))
 
 
 def drag(view, qtbot, start, end, modifier=Qt.KeyboardModifier.NoModifier):
@@ -70,7 +72,13 @@ def turn_wheel(view, x, y, steps):
 
 
 def limits(view):
-    return (*view._axes.get_xlim(), *view._axes.get_ylim())
+    """The part of the screen in the largest square that the canvas has space for."""
+    canvas = view._canvas
+    half = min(canvas.width(), canvas.height()) / 2
+    middle = QPointF(canvas.width() / 2, canvas.height() / 2)
+    left, top = canvas.place_at(middle - QPointF(half, half))
+    right, bottom = canvas.place_at(middle + QPointF(half, half))
+    return tuple(round(end, 9) for end in (left, right, bottom, top))
 
 
 def test_all_zoom_about_the_pointer(views, qtbot):
@@ -111,7 +119,7 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     ]
     for view, value in zip(views, wanted, strict=True):
         assert view._readout.text().startswith(f"{value:.4g} / cm² at x = 0.4")
-    qtbot.mouseMove(views[1]._canvas, QPoint(2, 2))
+    qtbot.mouseMove(views[1]._canvas, QPoint(views[1]._canvas.width() // 2, -2))
     assert {view._readout.text() for view in views} == {"Viewed from behind the screen"}
 
 

@@ -33,7 +33,8 @@ def view(flat, show, qtbot):
 
 
 def stated(view):
-    return view.findChildren(QLabel)[-1].text()
+    labels = view.findChildren(QLabel)
+    return next(each.text() for each in labels if each.accessibleName() == "State of the photo")
 
 
 def seen(view):

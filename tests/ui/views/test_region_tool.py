@@ -1,5 +1,7 @@
 """Regions marked on an image by the mouse."""
 
+import math
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
@@ -19,8 +21,8 @@ class Hand:
         self.canvas, self.link = self.view._canvas, window.loaded.views.shared
 
     def at(self, x, y):
-        i, j = self.view._axes.transData.transform((x, y)) / self.canvas.device_pixel_ratio
-        return QPoint(round(i), round(self.canvas.height() - j))
+        at = self.canvas.position_of(x, y)
+        return QPoint(math.floor(at.x()), math.floor(at.y()))
 
     def drag(self, *places):
         first, *others = (self.at(*place) for place in places)

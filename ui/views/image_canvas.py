@@ -1,0 +1,241 @@
+"""Canvas that paints an image of `workbench.pictures` with Qt, as large as possible.
+
+1. A figure of matplotlib holds values, colours, scale and marks. Files are drawn from it; the
+   window paints the same things itself, because matplotlib cannot draw 60 times a second.
+2. Values become colours once for new data. Copies of half the size keep small pictures free of
+   moiré, and only the visible part is painted.
+3. Scales lie over the image while the pointer is on it or the keyboard acts on it.
+"""
+
+from collections.abc import Sequence
+from typing import Any, BinaryIO, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QEnterEvent,
+    QFocusEvent,
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+    QTransform,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from ui.views.image_overlays import Overlays
+from ui.views.shared_view import Part, Place
+from ui.widgets.native import rgb_image
+from workbench.pictures.axes import paint
+
+INK, PAPER, FILE_DPI = "black", "white", 200
+"""Colours and resolution of files, which are read and printed elsewhere."""
+
+_FILE_SIZE = 7.0  # inches
+_LEAST = 30  # pixels; less shows nothing
+_LARGE = 3.0  # pixels of the display for one of the image, which then has sharp edges
+_TURN = 120.0  # of a wheel for one step
+
+
+class Touch(NamedTuple):
+    """Mouse on an image: pixel and place, whether that is on the image, Shift, double click."""
+
+    at: QPointF
+    place: Place
+    inside: bool
+    shift: bool
+    double: bool = False
+
+
+class ImageCanvas(QWidget):
+    """Paints the image of a figure, its marks and its scales."""
+
+    pressed = Signal(object)  # Touch, as are the next
+    moved = Signal(object)
+    released = Signal()
+    left = Signal()
+    turned = Signal(object, float)  # and steps of the wheel
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMouseTracking(True)
+        self.figure = Figure(figsize=(_FILE_SIZE, _FILE_SIZE))
+        self._axes: Axes | None = None
+        self._part: Part = (0.0, 1.0, 0.0, 1.0)
+        self._transform = QTransform()  # of places to pixels
+        self._seen = QRectF()  # pixels of the image
+        self._sizes: list[QImage] = []  # each half as large as the one before
+        self._overlays: Overlays | None = None
+        self._hovered = False
+
+    @property
+    def has_space(self) -> bool:
+        return min(self.width(), self.height()) >= _LEAST
+
+    @property
+    def scale(self) -> float:
+        """Pixels per unit of length."""
+        return self._transform.m22() * -1
+
+    def begin(self) -> Axes:
+        self.figure.clear()
+        self._axes, self._overlays = self.figure.add_subplot(), None
+        return self._axes
+
+    def animate(self, _: Sequence[Any]) -> None:
+        self.recolour()
+
+    def recolour(self) -> None:
+        palette = self.palette()
+        paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
+
+    def show_changes(self, _: bool) -> None:
+        """Paint new values, colours or marks."""
+        if self._axes is not None and self._axes.get_visible():
+            self._convert(self._axes)
+        self.repaint()
+
+    def show_part(self, part: Part) -> None:
+        """Show a rectangle as large as possible, and what else there is space for."""
+        self._part = part
+        self._settle()
+        self.update()
+
+    def write(self, file: BinaryIO, format: str) -> None:
+        """Write what is seen as "png" or "svg" with axes, black on white."""
+        paint(self.figure, INK, PAPER)
+        self.figure.savefig(file, format=format, dpi=FILE_DPI, bbox_inches="tight")
+        self.recolour()
+
+    def position_of(self, x: float, y: float) -> QPointF:
+        return self._transform.map(QPointF(x, y))
+
+    def place_at(self, at: QPointF) -> Place:
+        place = self._transform.inverted()[0].map(at)
+        return place.x(), place.y()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.pressed.emit(self._touch(event))
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.pressed.emit(self._touch(event)._replace(double=True))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._hover(True)
+        self.moved.emit(self._touch(event))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.released.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self.turned.emit(self._touch(event), event.angleDelta().y() / _TURN)
+        event.accept()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self._hover(True)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._hover(False)
+        self.left.emit()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._settle()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.palette().window())
+        axes = self._axes
+        if axes is not None and axes.get_visible() and self._overlays and self.has_space:
+            self._paint_image(painter, axes)
+            painter.setClipRect(self._seen)
+            self._overlays.paint_marks(painter, self._transform)
+            if self._hovered or self.hasFocus():
+                self._overlays.paint_scales(painter, self._seen)
+            painter.setClipping(False)
+        if self.hasFocus():
+            painter.setPen(QPen(self.palette().highlight().color(), 1))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        painter.end()
+
+    def _hover(self, hovered: bool) -> None:
+        if hovered is not self._hovered:
+            self._hovered = hovered
+            self.update()
+
+    def _touch(self, event: QMouseEvent | QWheelEvent) -> Touch:
+        middle = 0.5 / self.devicePixelRatioF()  # of the pixel that the pointer is on
+        at = event.position() + QPointF(middle, middle)
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        return Touch(at, self.place_at(at), self._seen.contains(at), shift)
+
+    def _settle(self) -> None:
+        """Lay out the visible part, which is also that of files."""
+        if self._axes is None or not self._axes.images:
+            return
+        left, right, bottom, top = self._part
+        width, height = max(self.width(), 1), max(self.height(), 1)
+        scale = min(width / (right - left), height / (top - bottom))
+        west, east, south, north = self._axes.images[0].get_extent()
+        across = scale if east > west else -scale
+        x, y = (left + right) / 2, (bottom + top) / 2
+        self._transform = QTransform(
+            across, 0, 0, -scale, width / 2 - across * x, height / 2 + scale * y
+        )
+        whole = QRectF(self.position_of(west, north), self.position_of(east, south))
+        self._seen = whole & QRectF(self.rect())
+        far_x, far_y = width / scale / 2, height / scale / 2
+        seen = max(x - far_x, min(west, east)), min(x + far_x, max(west, east))
+        self._axes.set_xlim(*(seen if east > west else seen[::-1]))
+        self._axes.set_ylim(max(y - far_y, south), min(y + far_y, north))
+
+    def _convert(self, axes: Axes) -> None:
+        image = axes.images[0]
+        colours = np.asarray(image.to_rgba(np.ma.asarray(image.get_array()), bytes=True))
+        self._sizes = [rgb_image(colours)]
+        self._overlays = Overlays(axes, self.palette())
+
+    def _paint_image(self, painter: QPainter, axes: Axes) -> None:
+        west, east, south, north = axes.images[0].get_extent()
+        whole = QRectF(self.position_of(west, north), self.position_of(east, south))
+        zoom = painter.device().devicePixelRatioF() * whole.width() / self._sizes[0].width()
+        image = self._reduced(zoom)
+        kx, ky = image.width() / whole.width(), image.height() / whole.height()
+        seen, corner = self._seen, self._seen.topLeft() - whole.topLeft()
+        source = QRectF(corner.x() * kx, corner.y() * ky, seen.width() * kx, seen.height() * ky)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, zoom < _LARGE)
+        painter.drawImage(seen, image, source)
+
+    def _reduced(self, zoom: float) -> QImage:
+        for image in self._sizes:
+            if zoom > 0.5 or min(image.width(), image.height()) < 2:
+                return image
+            zoom *= 2
+            if image is self._sizes[-1]:
+                half = QSize(image.width() // 2, image.height() // 2)
+                keep, smooth = (
+                    Qt.AspectRatioMode.IgnoreAspectRatio,
+                    Qt.TransformationMode.SmoothTransformation,
+                )
+                self._sizes.append(image.scaled(half, keep, smooth))
+        return self._sizes[-1]
