@@ -149,7 +149,7 @@ class DerivativeView(ImageView, ComputingView):
     def _unit(self, session: "Session") -> str:
         scene = session.scene
         per = scene.receiver.density_words(scene.unit).removeprefix("flux / ")
-        return tr("flux / {unit}").format(unit=f"({per} · {scene.unit})")
+        return f"/ ({per} · {scene.unit})"
 
     def _new_image(self, axes: "Axes", session: "Session") -> DerivativeImage:
         return DerivativeImage(axes, session.scene)

@@ -157,7 +157,7 @@ class FocusView(LightImageView, ComputingView):
         self._more.setCheckable(True)
         self._more.toggled.connect(self._show_curve)
         for number, control in enumerate((self._slider, self._back, self._more), 2):
-            self._bottom.insertWidget(number, control)
+            self._bottom.insertWidget(number, control, 1 if control is self._slider else 0)
         self._curve = FocusCurveView()
         self._curve.hide()
         self.add_below(self._curve)

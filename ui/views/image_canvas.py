@@ -13,18 +13,15 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
-    QEnterEvent,
-    QFocusEvent,
     QImage,
-    QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
     QResizeEvent,
+    QSinglePointEvent,
     QTransform,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -37,29 +34,22 @@ INK, PAPER, FILE_DPI = "black", "white", 200
 """Colours and resolution of files, which are read and printed elsewhere."""
 
 _FILE_SIZE = 7.0  # inches
-_LEAST = 30  # pixels; less shows nothing
 _LARGE = 3.0  # pixels of the display for one of the image, which then has sharp edges
-_TURN = 120.0  # of a wheel for one step
 
 
 class Touch(NamedTuple):
-    """Mouse on an image: pixel and place, whether that is on the image, Shift, double click."""
+    """Mouse on an image: pixel, place, whether there is image, and whether Shift is held."""
 
     at: QPointF
     place: Place
     inside: bool
     shift: bool
-    double: bool = False
 
 
 class ImageCanvas(QWidget):
     """Paints the image of a figure, its marks and its scales."""
 
-    pressed = Signal(object)  # Touch, as are the next
-    moved = Signal(object)
-    released = Signal()
-    left = Signal()
-    turned = Signal(object, float)  # and steps of the wheel
+    has_space = True  # since there are no labels around it
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -70,19 +60,15 @@ class ImageCanvas(QWidget):
         self._axes: Axes | None = None
         self._part: Part = (0.0, 1.0, 0.0, 1.0)
         self._transform = QTransform()  # of places to pixels
-        self._seen = QRectF()  # pixels of the image
+        self._whole, self._seen = QRectF(), QRectF()  # pixels of the image
         self._sizes: list[QImage] = []  # each half as large as the one before
         self._overlays: Overlays | None = None
         self._hovered = False
 
     @property
-    def has_space(self) -> bool:
-        return min(self.width(), self.height()) >= _LEAST
-
-    @property
     def scale(self) -> float:
         """Pixels per unit of length."""
-        return self._transform.m22() * -1
+        return -self._transform.m22()
 
     def begin(self) -> Axes:
         self.figure.clear()
@@ -98,7 +84,7 @@ class ImageCanvas(QWidget):
 
     def show_changes(self, _: bool) -> None:
         """Paint new values, colours or marks."""
-        if self._axes is not None and self._axes.get_visible():
+        if self._axes is not None and self._axes.get_visible() and self._axes.images:
             self._convert(self._axes)
         self.repaint()
 
@@ -121,42 +107,16 @@ class ImageCanvas(QWidget):
         place = self._transform.inverted()[0].map(at)
         return place.x(), place.y()
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.pressed.emit(self._touch(event))
+    def touch(self, event: QSinglePointEvent) -> Touch:
+        middle = 0.5 / self.devicePixelRatioF()  # of the pixel that the pointer is on
+        at = event.position() + QPointF(middle, middle)
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        return Touch(at, self.place_at(at), self._seen.contains(at), shift)
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.pressed.emit(self._touch(event)._replace(double=True))
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        self._hover(True)
-        self.moved.emit(self._touch(event))
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.released.emit()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        self.turned.emit(self._touch(event), event.angleDelta().y() / _TURN)
-        event.accept()
-
-    def enterEvent(self, event: QEnterEvent) -> None:
-        super().enterEvent(event)
-        self._hover(True)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self._hover(False)
-        self.left.emit()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.update()
+    def show_scales(self, shown: bool) -> None:
+        if shown is not self._hovered:
+            self._hovered = shown
+            self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -166,8 +126,8 @@ class ImageCanvas(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().window())
         axes = self._axes
-        if axes is not None and axes.get_visible() and self._overlays and self.has_space:
-            self._paint_image(painter, axes)
+        if axes is not None and axes.get_visible() and self._overlays:
+            self._paint_image(painter)
             painter.setClipRect(self._seen)
             self._overlays.paint_marks(painter, self._transform)
             if self._hovered or self.hasFocus():
@@ -177,17 +137,6 @@ class ImageCanvas(QWidget):
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         painter.end()
-
-    def _hover(self, hovered: bool) -> None:
-        if hovered is not self._hovered:
-            self._hovered = hovered
-            self.update()
-
-    def _touch(self, event: QMouseEvent | QWheelEvent) -> Touch:
-        middle = 0.5 / self.devicePixelRatioF()  # of the pixel that the pointer is on
-        at = event.position() + QPointF(middle, middle)
-        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        return Touch(at, self.place_at(at), self._seen.contains(at), shift)
 
     def _settle(self) -> None:
         """Lay out the visible part, which is also that of files."""
@@ -202,22 +151,21 @@ class ImageCanvas(QWidget):
         self._transform = QTransform(
             across, 0, 0, -scale, width / 2 - across * x, height / 2 + scale * y
         )
-        whole = QRectF(self.position_of(west, north), self.position_of(east, south))
-        self._seen = whole & QRectF(self.rect())
-        far_x, far_y = width / scale / 2, height / scale / 2
-        seen = max(x - far_x, min(west, east)), min(x + far_x, max(west, east))
-        self._axes.set_xlim(*(seen if east > west else seen[::-1]))
-        self._axes.set_ylim(max(y - far_y, south), min(y + far_y, north))
+        self._whole = QRectF(self.position_of(west, north), self.position_of(east, south))
+        self._seen = self._whole & QRectF(self.rect())
+        left, top = self.place_at(self._seen.topLeft())
+        right, bottom = self.place_at(self._seen.bottomRight())
+        self._axes.set_xlim(left, right)
+        self._axes.set_ylim(bottom, top)
 
     def _convert(self, axes: Axes) -> None:
-        image = axes.images[0]
+        (image,) = axes.images
         colours = np.asarray(image.to_rgba(np.ma.asarray(image.get_array()), bytes=True))
         self._sizes = [rgb_image(colours)]
         self._overlays = Overlays(axes, self.palette())
 
-    def _paint_image(self, painter: QPainter, axes: Axes) -> None:
-        west, east, south, north = axes.images[0].get_extent()
-        whole = QRectF(self.position_of(west, north), self.position_of(east, south))
+    def _paint_image(self, painter: QPainter) -> None:
+        whole = self._whole
         zoom = painter.device().devicePixelRatioF() * whole.width() / self._sizes[0].width()
         image = self._reduced(zoom)
         kx, ky = image.width() / whole.width(), image.height() / whole.height()

@@ -7,8 +7,8 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent, QSinglePointEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
 from ui.views.image_canvas import ImageCanvas, Touch
@@ -36,6 +36,7 @@ _BESIDE = 6  # as narrow, images that fit on a screen
 _AROUND = 4  # pixels around the controls of the row below, which is as high in all images
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
+_TURN = 120.0  # of a wheel for one step
 _DRAG = 4.0  # pixels that a click may shake
 _STEP = 0.1  # of what is seen, for an arrow
 
@@ -65,16 +66,18 @@ class ImageView(PlotView):
         self._box.addWidget(row)
         self._shared.changed.connect(self._follow)
         self._shared.pointed.connect(self._point)
-        self._canvas.turned.connect(self._turn_wheel)
-        self._canvas.pressed.connect(self._press)
-        self._canvas.released.connect(self._release)
-        self._canvas.moved.connect(self._move)
-        self._canvas.left.connect(self._leave)
 
     def show_nothing(self, session: "Session") -> None:
         self._values = None
         super().show_nothing(session)
         self._read()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Leave:
+            self._leave()
+        elif isinstance(event, QSinglePointEvent) and self._shown is not None:
+            self._follow_mouse(event)
+        return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self._shown is None or event.modifiers() & COMMANDS:
@@ -181,9 +184,20 @@ class ImageView(PlotView):
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
         return (self._stated,)
 
-    def _turn_wheel(self, touch: Touch, steps: float) -> None:
-        if touch.inside and self._shown is not None:
-            self._zoom(touch.place, steps)
+    def _follow_mouse(self, event: QSinglePointEvent) -> None:
+        touch, kind = self._canvas.touch(event), event.type()
+        if isinstance(event, QWheelEvent):
+            if touch.inside:
+                self._zoom(touch.place, event.angleDelta().y() / _TURN)
+        elif kind in (QEvent.Type.MouseMove, QEvent.Type.Enter):
+            self._move(touch)
+        elif event.button() == Qt.MouseButton.LeftButton:
+            if kind == QEvent.Type.MouseButtonRelease:
+                self._release()
+            elif touch.inside and kind == QEvent.Type.MouseButtonDblClick:
+                self._press_twice()
+            elif touch.inside:
+                self._press(touch)
 
     def _zoom(self, about: Place, steps: float) -> None:
         left, right, bottom, top = self._part()
@@ -200,15 +214,15 @@ class ImageView(PlotView):
             )
 
     def _press(self, touch: Touch) -> None:
-        if not touch.inside or self._shown is None:
-            return
-        if touch.double:
-            self._shared.show(part=None)
-        self._grip, self._dragged = touch, touch.double
+        self._grip, self._dragged = touch, False
+
+    def _press_twice(self) -> None:
+        self._shared.show(part=None)
 
     def _move(self, touch: Touch) -> None:
         if touch.inside:
             self._pointer = touch.at
+            self._canvas.show_scales(True)
             self._shared.pointed.emit(touch.place)
         else:
             self._leave()
@@ -220,6 +234,7 @@ class ImageView(PlotView):
     def _leave(self) -> None:
         if self._pointer is not None:
             self._pointer = None
+            self._canvas.show_scales(False)
             self._shared.pointed.emit(None)
 
     def _release(self) -> None:

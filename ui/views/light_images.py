@@ -152,14 +152,17 @@ class ScreenImageView(ImageView):
             self._shared.pinned.emit(place)
 
     def _press(self, touch: Touch) -> None:
-        if self._shared.now.marking and touch.double:
-            self._hand.close()
-            return
         super()._press(touch)
-        if self._grip is not None and self._shared.now.marking:
+        if self._shared.now.marking:
             near = _NEAR / self._canvas.scale
             self._hand.press(self._marked_scene(), touch.place, (near, near))
-        self._draws = self._grip is not None and (self._shared.now.drawing or touch.shift)
+        self._draws = self._shared.now.drawing or touch.shift
+
+    def _press_twice(self) -> None:
+        if self._shared.now.marking:
+            self._hand.close()
+        else:
+            super()._press_twice()
 
     def _drag(self, touch: Touch, start: Place) -> None:
         if self._shared.now.marking:

@@ -133,7 +133,7 @@ class PhotoView(ImageView, ComputingView):
         self._usual.clicked.connect(lambda: self._slider.setValue(0))
         self._expose()
         for widget in (self._light, self._slider, self._stops, self._usual, self._choice):
-            self._bottom.addWidget(widget)
+            self._bottom.addWidget(widget, 1 if widget is self._slider else 0)
 
     def _expose(self) -> None:
         self._stops.setText(_in_thirds(self._slider.value()))

@@ -19,7 +19,6 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import (
     QAction,
-    QFocusEvent,
     QHideEvent,
     QImage,
     QKeyEvent,
@@ -119,14 +118,6 @@ class PlotCanvas(FigureCanvasQTAgg):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Pass keys to the view; matplotlib would consume them."""
         event.ignore()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._stale and drawing_queue().may_draw(self):

@@ -57,20 +57,14 @@ def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
 class ScaledImage(QWidget):
     """Paints an image as large as possible, with the aspect of what it shows."""
 
-    def __init__(self, usual: QSize | None = None) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._usual, self._picture, self._aspect = usual, QImage(), 1.0
+        self._picture, self._aspect = QImage(), 1.0
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-
-    def sizeHint(self) -> QSize:
-        return self._usual or super().sizeHint()
 
     def show_image(self, image: QImage, aspect: float) -> None:
         self._picture, self._aspect = image, aspect
         self.update()
-
-    def clear(self) -> None:
-        self.show_image(QImage(), 1.0)
 
     @property
     def place(self) -> QRect:
