@@ -153,10 +153,11 @@ class ImageCanvas(QWidget):
         )
         self._whole = QRectF(self.position_of(west, north), self.position_of(east, south))
         self._seen = self._whole & QRectF(self.rect())
-        left, top = self.place_at(self._seen.topLeft())
-        right, bottom = self.place_at(self._seen.bottomRight())
-        self._axes.set_xlim(left, right)
-        self._axes.set_ylim(bottom, top)
+        if not self._seen.isEmpty():
+            left, top = self.place_at(self._seen.topLeft())
+            right, bottom = self.place_at(self._seen.bottomRight())
+            self._axes.set_xlim(left, right)
+            self._axes.set_ylim(bottom, top)
 
     def _convert(self, axes: Axes) -> None:
         (image,) = axes.images
