@@ -290,19 +290,19 @@ def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:
 
 
 SYSTEM = "system"
-"""What counts where nothing was chosen: as the system has it."""
+"""A choice: as the system has it."""
 
 
 class KeptChoice:
-    """A choice among commands, stored in the settings."""
+    """A choice among commands, stored in the settings; `usual` where nothing was chosen."""
 
-    def __init__(self, key: str, choices: Mapping[str, str]) -> None:
-        self._key, self._choices = key, choices
+    def __init__(self, key: str, choices: Mapping[str, str], usual: str) -> None:
+        self._key, self._choices, self._usual = key, choices, usual
 
     def kept(self, settings: QSettings) -> str:
-        """The stored choice; `SYSTEM` by default."""
+        """The stored choice."""
         kept = str(settings.value(self._key))
-        return kept if kept in self._choices.values() else SYSTEM
+        return kept if kept in self._choices.values() else self._usual
 
     def offer(
         self, settings: QSettings, commands: Commands, follow: Callable[[str], object]
@@ -323,7 +323,7 @@ class KeptChoice:
         follow(value)
 
 
-LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES)
+LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES, SYSTEM)
 
 
 def note_language(note: Callable[[str], object], code: str) -> None:
@@ -332,7 +332,7 @@ def note_language(note: Callable[[str], object], code: str) -> None:
         note(tr("The language changes at the next start."))
 
 
-THEME = KeptChoice("window/theme", THEMES)
+THEME = KeptChoice("window/theme", THEMES, "dark")
 
 
 def choose_theme(name: str) -> None:

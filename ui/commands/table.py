@@ -172,7 +172,7 @@ COMMANDS = {
         command: Command(
             "As the &system" if name == "system" else f"&{name.capitalize()}",
             "Light, dark or the system's theme for all windows",
-            checked=name == "system",
+            checked=name == "dark",
         )
         for command, name in THEMES.items()
     },

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, Qt, QTimer
-from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -37,19 +37,30 @@ _SCHEMES = {
     "dark": Qt.ColorScheme.Dark,
 }
 # Of buttons and windows; of fields; and text.
-_GROUNDS = {"light": ("#efefef", "#ffffff", "#000000"), "dark": ("#323232", "#242424", "#ffffff")}
-_HIGHLIGHT = "#308cc6"
+_GROUNDS = {"light": ("#f2f3f5", "#ffffff", "#16181b"), "dark": ("#23262b", "#181a1e", "#e9eaec")}
+_HIGHLIGHT = "#2b78b8"
+_FONT, _POINTS = "Inter", 9.75  # 13 pixels of 1/96 inch
 
 
 def apply(application: QApplication) -> None:
-    """Set style and colours, now and whenever the system's scheme changes."""
+    """Set style, typeface and colours, and colours whenever the system's scheme changes."""
     application.setStyle("Fusion")
+    application.setFont(_typeface())
     application.setWindowIcon(QIcon(str(_icon_file("workbench"))))
     _colour(application)
     # The palette follows only after this signal.
     application.styleHints().colorSchemeChanged.connect(
         lambda _: QTimer.singleShot(0, application, lambda: _colour(application))
     )
+
+
+def _typeface() -> QFont:
+    for weight in ("Regular", "SemiBold"):
+        QFontDatabase.addApplicationFont(str(resources.path("fonts", f"Inter-{weight}.otf")))
+    font = QFont(_FONT)
+    font.setPointSizeF(_POINTS)
+    font.setFeature(QFont.Tag("tnum"), 1)  # digits of one width
+    return font
 
 
 def choose(application: QApplication, name: str) -> None:
