@@ -53,6 +53,7 @@ class MainWindow(QMainWindow):
         self.early = early = EarlyParts(self, document, settings)
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.panes, self.status = early.forms, early.panes, early.status
+        self.forms.remember(settings)
         self._carried = CarriedLens(document, self.messages, self)
         self._carried.noted.connect(self.log.add)
         UnitChange(document, self.messages, self)

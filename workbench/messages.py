@@ -4,6 +4,10 @@ from collections.abc import Mapping
 from typing import Any, Self
 
 
+class Stated(float):
+    """A number of a message that is one of the field whose value is refused."""
+
+
 class Message(str):
     """English text that keeps its words and values, so that the window can translate it.
 
@@ -24,6 +28,14 @@ class Message(str):
         made = super().__new__(cls, words.format(**values))
         made.words, made.values = words, values
         return made
+
+    def times(self, factor: float) -> "Message":
+        """Return the message for a field that is shown as a multiple: see `Stated`."""
+        values = {
+            name: factor * value if isinstance(value, Stated) else value
+            for name, value in self.values.items()
+        }
+        return Message(self.words, **values)
 
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
         return (self.words,), dict(self.values)

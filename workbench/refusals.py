@@ -6,7 +6,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from workbench.errors import LONGEST_QUOTE, Refused, shown
-from workbench.messages import Message
+from workbench.messages import Message, Stated
 
 SENTENCES = {
     "missing": "missing; it is required",
@@ -86,7 +86,11 @@ def _models(annotation: object) -> list[type[BaseModel]]:
 
 def _sentence(details: ErrorDetails, fields: list[str]) -> str:
     kind, given = details["type"], details["input"]
-    values: dict[str, Any] = {**details.get("ctx", {}), "input": shown(given)}
+    values: dict[str, Any] = {**details.get("ctx", {}), "input": given}
+    for name, value in values.items():
+        values[name] = Stated(value) if isinstance(value, float) else value
+    if not isinstance(given, float):
+        values["input"] = shown(given)
     if kind == "extra_forbidden":
         values["fields"] = ", ".join(fields)
     elif kind == "unknown_kind" and not isinstance(given, dict):

@@ -10,10 +10,9 @@ def rows(forms):
 
 
 def unfold(forms, wanted):
-    """Unfold the panels of rows, as a person does who looks for them."""
-    for panel in forms.panels:
-        if any(map(wanted, panel.rows)):
-            panel.unfold(True)
+    """Unfold what holds rows, as a person does who looks for them."""
+    for each in filter(wanted, rows(forms)):
+        forms.reveal(each)
 
 
 def row(forms, path, visible=True):

@@ -68,7 +68,7 @@ class MoveSource(Tool):
         if len(source.corners):
             text += tr("Drag corners to resize. ")
         lengths = (
-            f"{tr(field.title)} {_words(getattr(source, field.name))}"
+            f"{tr(field.in_window.title)} {_words(getattr(source, field.name), field.times)}"
             for field in source.fields()
             if field.measure.power == 1
         )
@@ -132,5 +132,5 @@ def _place_of(scene: Scene, handle: Handle) -> tuple[float, float, float] | None
     return scene.source.place
 
 
-def _words(lengths: tuple[float, ...]) -> str:
-    return f"({', '.join(f'{length:g}' for length in lengths)})"
+def _words(lengths: tuple[float, ...], times: float) -> str:
+    return f"({', '.join(f'{times * length:g}' for length in lengths)})"

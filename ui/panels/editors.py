@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QLineEdit
 
 from ui.panels.edits import Typed
 from ui.widgets.labels import WrappedLabel
-from workbench.scene import Measure
+from workbench.scene import FieldDescription
 
 
 class TextEditor(QLineEdit):
@@ -67,14 +67,14 @@ class TextEditor(QLineEdit):
 class NumberEditor(TextEditor):
     """A number as text, because spin boxes round and change under the mouse wheel."""
 
-    def __init__(self, measure: Measure, whole: bool, narrow: bool = False) -> None:
+    def __init__(self, field: FieldDescription) -> None:
         super().__init__()
-        self._measure, self._whole = measure, whole
-        seen = "0000" if narrow else "0000000"
+        self._measure, self._whole, self._times = field.measure, field.number is int, field.times
+        seen = "0000" if field.count > 2 else "00000"
         self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
     def typed(self, text: str) -> Typed:
-        return Typed(text, self._measure, self._whole)
+        return Typed(text, self._measure, self._whole, self._times)
 
 
 class Wrapped(WrappedLabel):

@@ -3,12 +3,13 @@
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.quantity import read_number
-from workbench.scene import Measure, Part, Scene, Unit
+from workbench.scene import FieldDescription, Measure, Part, Scene, Unit
 from workbench.scene.paths import value_at
 from workbench.units import sized
 
@@ -23,9 +24,10 @@ class Typed:
     text: str
     measure: Measure = _NONE
     whole: bool = False
+    times: float = 1.0  # as large as the number in the scene
 
     def number(self, unit: str) -> float | int:
-        found = read_number(self.text, self.measure.sign_in(unit))
+        found = read_number(self.text, self.measure.sign_in(unit)) / Fraction(self.times)
         try:
             return int(found) if self.whole and found.denominator == 1 else float(found)
         except OverflowError as error:
@@ -42,9 +44,8 @@ class Edit:
     alone: bool = False
     unit: Unit | None = None
     waits: bool = True
-    measure: Measure = _NONE
-    between: str = ""
     name: str = ""
+    drag: str = ""  # which drag it belongs to; one that is refused is dropped
 
     @property
     def field(self) -> str:
@@ -53,22 +54,26 @@ class Edit:
 
     def step(self, before: Scene, after: Scene) -> str:
         """Return the text of the undo step, with old and new numbers: half width 1 → 50 mm."""
-        old, new = (_numbers(value_at(scene, self.field)) for scene in (before, after))
+        field = field_at(after, self.field)
+        if field is None:
+            return self.text
+        values = (value_at(scene, self.field) for scene in (before, after))
+        old, new = (_numbers(value, field.times) for value in values)
         if old == new or not (old and new):
             return self.text
-        if self.between == "×" and len({*old}) == len({*new}) == 1:  # alike along x and y
+        if field.between == "×" and len({*old}) == len({*new}) == 1:  # alike along x and y
             old, new = old[:1], new[:1]
-        between = f" {self.between} ".replace(" ,", ",")
-        unit = self.measure.sign_in(after.unit)
+        between = f" {field.between} ".replace(" ,", ",")
+        unit = field.measure.sign_in(after.unit)
         change = sized(f"{between.join(old)} → {between.join(new)}", unit)
         return f"{self.name or self.text} {change}".rstrip()
 
 
-def _numbers(value: object) -> list[str]:
+def _numbers(value: object, times: float) -> list[str]:
     values = value if isinstance(value, tuple) else (value,)
     if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in values):
         return []
-    return [format(each, ".6g") for each in values]
+    return [format(times * each, ".6g") for each in values]
 
 
 def holder_of(whole: Any, path: str) -> tuple[Any, int | str]:
@@ -77,6 +82,13 @@ def holder_of(whole: Any, path: str) -> tuple[Any, int | str]:
     head, _, last = inner.rpartition(separator)
     holder = value_at(whole, head) if head else whole
     return holder, int(last) if isinstance(holder, list | tuple) else last
+
+
+def field_at(whole: Any, path: str) -> FieldDescription | None:
+    """Return the description of the field at a path, if a part of the scene has it."""
+    part, name = holder_of(whole, path)
+    fields = part.fields() if isinstance(part, Part) else ()
+    return next((field for field in fields if field.name == name), None)
 
 
 def has_place(scene: Scene, edit: Edit) -> bool:

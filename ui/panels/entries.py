@@ -11,6 +11,7 @@ from ui.panels.edits import Edit, put
 from ui.panels.fields import Row
 from ui.words import tr
 from workbench.errors import Refused
+from workbench.messages import Message
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class Entries:
         reasons: dict[Row, str] = {}
         for path, waiting in self.waiting.items():
             refused, edited = row_of(waiting.refused.path, present), row_of(path, present)
-            reason = tr(waiting.refused.reason)
+            reason = reason_at(waiting.refused.reason, refused)
             if refused is not None:
                 reasons[refused] = reason
             if edited is not None and edited is not refused:
@@ -66,6 +67,13 @@ class Entries:
 def row_of(path: str, rows: Sequence[Row]) -> Row | None:
     """Return the last row of a path, which holds the value."""
     return next((row for row in reversed(rows) if row.concerns(path)), None)
+
+
+def reason_at(reason: str, row: Row | None) -> str:
+    """Return a translated reason with the numbers of the refused field as its row shows them."""
+    if row is not None and isinstance(reason, Message):
+        reason = reason.times(row.field.times)
+    return tr(reason)
 
 
 def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
@@ -113,7 +121,7 @@ class RowEntries(QObject):
     def edit(self, edit: Edit) -> None:
         """Make an edit, or keep it waiting if it is refused."""
         refused = self._entries.make(edit)
-        if refused is not None:
+        if refused is not None and not edit.drag:
             self._entries.waiting[edit.path] = Waiting(edit, refused)
         self.show()
         self.changed.emit()

@@ -4,17 +4,19 @@ A row shows the scene and emits edits; it does not validate. Refused text stays 
 corrected, or reverted with Escape.
 """
 
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from operator import attrgetter
 from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from ui.panels.dragging import Dragging
 from ui.panels.editors import NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, Typed, holder_of
 from ui.widgets import theme
 from ui.widgets.controls import Chooser, filled
+from ui.widgets.labels import DragLabel
 from ui.words import in_sentence, tr
 from workbench.scene import AutoNet, Element, FieldDescription, Measure, Part
 from workbench.scene.fields import AUTO, Fallback, LeftOut
@@ -40,9 +42,10 @@ class Row(QWidget):
 
     def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__()
-        self.field, self.path, self.measure = field, path, field.measure
+        field = field.in_window
+        self.field, self.path, self.measure, self.level = field, path, field.measure, field.level
         label = tr(field.title)
-        self.label = QLabel(label)
+        self.label = DragLabel(label)
         self.of = ""  # the part whose field it is, where a panel has several of a kind
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
@@ -52,7 +55,7 @@ class Row(QWidget):
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
         filled(QVBoxLayout(self), self._editors, self._refusal, margins=0, spacing=2)
-        sentence, *ends = field.bounds
+        sentence, *ends = field.bounds(field.times)
         self.explain(f"{tr(field.tip)} {tr(sentence).format(*ends)}".rstrip())
 
     @property
@@ -61,6 +64,7 @@ class Row(QWidget):
         return self.field.between if self.field.count > 1 else ""
 
     def explain(self, tip: str) -> None:
+        self._tip = tip
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
@@ -80,6 +84,20 @@ class Row(QWidget):
     def only_if(self, condition: Condition) -> None:
         """Show the row only for scenes that meet a condition."""
         self._conditions.append(condition)
+
+    def matches(self, words: Sequence[str]) -> bool:
+        """Whether all words, in small letters, occur in its name, its tip or its path."""
+        text = f"{self.name} {self._tip} {self.path}".casefold()
+        return all(word in text for word in words)
+
+    def changed(self, scene: Any) -> bool:
+        """Whether its value is another than by default."""
+        part, name = holder_of(scene, self._value_path)
+        return isinstance(part, Part) and part.differs(str(name))
+
+    @property
+    def _value_path(self) -> str:
+        return self.path
 
     def present(self, scene: Any) -> bool:
         return self._is_there(scene) and all(condition(scene) for condition in self._conditions)
@@ -133,12 +151,10 @@ class Row(QWidget):
             self.setFocusProxy(widget)
             self.label.setBuddy(widget)
 
-    def _emit_edit(self, path: str, changes: Changes) -> None:
+    def _emit_edit(self, path: str, changes: Changes, drag: str = "") -> None:
         name = in_sentence(self.name)
         text = tr("change of {name}").format(name=name)
-        self.edited.emit(
-            Edit(path, text, changes, measure=self.measure, between=self.between, name=name)
-        )
+        self.edited.emit(Edit(path, text, changes, name=name, drag=drag))
 
 
 class NumberRow(Row):
@@ -148,8 +164,9 @@ class NumberRow(Row):
         super().__init__(field, path)
         count = field.count
         paths = [f"{path}[{k}]" for k in range(count)] if count > 1 else [path]
-        whole, narrow = field.number is int, count > 2
-        self.editors = {p: NumberEditor(self.measure, whole, narrow) for p in paths}
+        self.editors = {p: NumberEditor(field) for p in paths}
+        self.values: dict[str, float | None] = {}  # in the scene
+        Dragging(self)
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(tr(self.between)), 0)
@@ -166,8 +183,19 @@ class NumberRow(Row):
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         super().show_scene(scene, pending)
         for path, editor in self.editors.items():
-            if path not in pending:
-                editor.show_value(format(value_at(scene, path), ".12g"))
+            self.values[path] = value = self._value(scene, path)
+            if not pending & {path, self.path}:
+                text = "" if value is None else format(self.field.times * value, ".12g")
+                editor.show_value(text)
+
+    def _value(self, scene: Any, path: str) -> float | None:
+        value: float | None = value_at(scene, path)
+        return value
+
+    def change(self, values: Mapping[str, float], drag: str) -> None:
+        """Put numbers of the scene in place of others, as part of a drag."""
+        if values:
+            self._emit_edit(self.path, {**values}, drag)
 
     def _commit(self, path: str, text: str) -> None:
         self._emit_edit(path, {path: self.editors[path].typed(text)})
@@ -306,20 +334,10 @@ class OptionalRow(NumberRow):
     _NOTHING: object = None  # the value of an empty field
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        Row.show_scene(self, scene, pending)
-        for (path, editor), stand_in in zip(
-            self.editors.items(), self._stand_ins(scene), strict=True
-        ):
-            editor.setPlaceholderText(
-                stand_in if isinstance(stand_in, str) else format(stand_in, "g")
-            )
-            if not pending & {path, self.path}:
-                value = self._value(scene, path)
-                editor.show_value("" if value is None else format(value, ".12g"))
-
-    def _value(self, scene: Any, path: str) -> float | None:
-        value: float | None = value_at(scene, path)
-        return value
+        super().show_scene(scene, pending)
+        for editor, stand_in in zip(self.editors.values(), self._stand_ins(scene), strict=True):
+            text = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
+            editor.setPlaceholderText(text)
 
     def _stand_ins(self, scene: Any) -> Sequence[float | str]:
         if left_out := self.field.mark(LeftOut):

@@ -4,7 +4,7 @@ import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence, Set
 from functools import partial
-from itertools import count, pairwise
+from itertools import count
 from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QListWidget,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -21,41 +20,35 @@ from PySide6.QtWidgets import (
 from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
-from ui.panels.rows import Make, Rows
+from ui.panels.rows import Make, Rows, at_least
 from ui.widgets.controls import filled
+from ui.widgets.folds import Fold, Section, form_in
 from ui.words import in_sentence, tr
 from workbench.files.session import Session
+from workbench.levels import Level
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 
 
-class Panel(QWidget):
-    """Rows under a heading; independent of other panels and of the document."""
+class Panel(Fold):
+    """Rows under a heading; independent of other panels and of the document.
+
+    Rows of `Level.LIMITS` and `Level.EXPERT` stand in `deeper`, which has a place in the form.
+    """
 
     edited = Signal(object)
     reverted = Signal(object)
 
-    def __init__(self, title: str, rows: Sequence[Row]) -> None:
-        super().__init__()
+    def __init__(self, title: str, rows: Sequence[Row], level: Level = Level.JOB) -> None:
+        super().__init__(title)
         self._rows: list[Row] = []
-        self._label_width = 0
+        self._level, self._label_width = level, 0
         self._session: Session | None = None
-        self._heading = QToolButton()
-        self._heading.setObjectName("heading")
-        self._heading.setText(title)
-        self._heading.setCheckable(True)
-        self._heading.setChecked(True)
-        self._heading.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._heading.toggled.connect(self.unfold)
-        self._body = QWidget()
-        self._form = QFormLayout(self._body)
-        self._form.setContentsMargins(10, 4, 6, 8)
-        self._form.setVerticalSpacing(5)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        self._form = form_in(self.body)
+        self.deeper = {each: Section(title) for each in (Level.LIMITS, Level.EXPERT)}
+        for section in self.deeper.values():
+            section.setParent(self)
+            section.hide()
         self._add_rows(rows, title)
-        filled(QVBoxLayout(self), self._heading, self._body, margins=0, spacing=0)
-        self.unfold(True)
 
     @property
     def rows(self) -> Sequence[Row]:
@@ -76,23 +69,31 @@ class Panel(QWidget):
                 row.show_scene(session.scene, pending)
             else:
                 row.forget()  # before it is hidden, which enters what is typed
-            self._form.setRowVisible(row, row in present)
 
-    def unfold(self, unfolded: bool) -> None:
-        self._heading.setChecked(unfolded)
-        self._heading.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
-        self._body.setVisible(unfolded)
+    def show_rows(self, shown: Set[Row]) -> None:
+        """Show some rows, and no heading without any."""
+        for row in self.rows:
+            self._form_of(row).setRowVisible(row, row in shown)
+        self.setVisible(any(row.level is Level.JOB for row in shown.intersection(self.rows)))
+        for level, section in self.deeper.items():
+            section.setVisible(any(row.level is level for row in shown.intersection(self.rows)))
 
     def align(self, width: int) -> None:
         self._label_width = width
         for row in self.rows:
             row.label.setMinimumWidth(width)
 
+    def _form_of(self, row: Row) -> QFormLayout:
+        return self.deeper[row.level].form if row.level in self.deeper else self._form
+
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
         self._name_rows(rows, name)
-        for row in rows:
+        for row in at_least(self._level, list(rows)):
             row.label.setMinimumWidth(self._label_width)
-            self._form.addRow(row.label, row)
+            if isinstance(row, PartList):
+                self._form_of(row).addRow(row)
+            else:
+                self._form_of(row).addRow(row.label, row)
             row.leave_undo()
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
@@ -108,7 +109,7 @@ class Panel(QWidget):
         for row in rows:
             row.blockSignals(True)  # an editor that loses the focus enters its text
             self._rows.remove(row)
-            self._form.takeRow(row)
+            self._form_of(row).takeRow(row)
             for widget in (row.label, row):
                 widget.hide()
                 widget.deleteLater()
@@ -125,6 +126,7 @@ class PartPanel(Panel):
             rows.of_kinds(field, kinds, self.path, kinds.title)
             if kinds
             else rows.of_part(field.parts[0], self.path),
+            field.level,
         )
 
     def own_rows(self) -> dict[str, Make]:
@@ -155,12 +157,14 @@ class ListedPanel(Panel, Generic[AnyPart]):
         self._bound = -1  # the part whose rows are there
         self._called = ""  # in their names
         self.list = PartList(self, field, path, called, tips, adding)
-        super().__init__(title, [self.list])
+        super().__init__(title, [self.list], field.level)
         self.list.chosen.connect(self._choose)
 
     def prepare(self, session: Session) -> None:
         self._session = session
-        self.list.show_parts(self.parts_of(session.scene), self.remark(session.scene))
+        parts = self.parts_of(session.scene)
+        self.list.show_parts(parts, self.remark(session.scene))
+        self.note(f"({len(parts)})" if parts else "")
         self._bind(self.list.current)
 
     @abstractmethod
@@ -211,23 +215,9 @@ class ListedPanel(Panel, Generic[AnyPart]):
             self._bound = number
             if number >= 0:
                 self._add_rows(self.rows_of(number), name)
-                self._put_in_tab_order()
         elif name != self._called:
             self._name_rows(self.rows[1:], name)
         self._called = name
-
-    def _put_in_tab_order(self) -> None:
-        """Let Tab reach the new rows behind the list; they would come last of all panels."""
-        stops = [
-            widget
-            for row in self.rows
-            for widget in row.findChildren(QWidget)
-            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
-            and widget.focusProxy() is None
-            and widget.window() is self.window()  # not the lists that choosers open
-        ]
-        for before, after in pairwise(stops):
-            self.setTabOrder(before, after)
 
 
 class PartList(Row):
@@ -245,6 +235,8 @@ class PartList(Row):
         adding: Sequence[str],
     ) -> None:
         super().__init__(field, path)
+        self.label.setParent(self)
+        self.label.hide()  # the list has all the width
         self._panel, self._called = panel, called
         self._parts: tuple[Any, ...] = ()
         self._list = QListWidget()

@@ -23,6 +23,7 @@ from ui.panels.fields import (
 )
 from ui.words import in_sentence, tr
 from workbench.design.task import LARGEST_PICTURE
+from workbench.levels import Level
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 from workbench.scene.fields import ForMethod, LeftOut
 from workbench.scene.part import summary_of, title_of
@@ -51,7 +52,7 @@ class Rows:
         ]
 
     def of_field(self, field: FieldDescription, path: str) -> list[Row]:
-        rows = self._own.get(field.name, self._of_field)(field, path)
+        rows = at_least(field.level, self._own.get(field.name, self._of_field)(field, path))
         if method := field.mark(ForMethod):
             for row in rows:
                 row.only_if(lambda scene: self._method(scene) == method.method)
@@ -69,7 +70,7 @@ class Rows:
             lambda kind: self._first_of(kinds, kind, path),
             self._otherwise if field.optional else "",
         )
-        rows: list[Row] = [choice]
+        rows: list[Row] = at_least(kinds.level, [choice])
         for own, having in self.fields_of(field.parts):
             if own.name != kinds.field:
                 for row in self.of_field(own, f"{path}.{own.name}"):
@@ -105,6 +106,9 @@ class Rows:
         choice, *rows = self.of_field(member, f"{path}[{number}]")
         for row in rows:
             row.of = tr(member.title)
+            if row.level < choice.level:  # which then stands elsewhere
+                row.label.setText(_named(row.of, row.label.text()))
+                row.of = ""
         return [choice, *rows]
 
     def _first_of(self, kinds: Kinds, kind: type[Part], path: str) -> Part | None:
@@ -172,6 +176,10 @@ class KindRow(ChoiceRow):
         super().show_scene(scene, pending)
         self._shown = self._read_kind(scene)
 
+    @property
+    def _value_path(self) -> str:
+        return self._part
+
     def concerns(self, path: str) -> bool:
         """Whether a refusal of ``path`` belongs to this row; one of the whole part does."""
         return path == self._part or super().concerns(path)
@@ -193,6 +201,17 @@ class KindRow(ChoiceRow):
         if name == self._shown:
             return None
         return {self._part: first.model_dump(mode="json", exclude_none=True)}
+
+
+def at_least(level: Level, rows: list[Row]) -> list[Row]:
+    """Return rows, each at this level or a deeper one."""
+    for row in rows:
+        row.level = max(row.level, level)
+    return rows
+
+
+def _named(part: str, field: str) -> str:
+    return tr("{panel} {field}").format(panel=part, field=in_sentence(field))
 
 
 def connect_asked(rows: Iterable[Row], ask: Callable[[], object]) -> None:

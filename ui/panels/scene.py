@@ -13,6 +13,7 @@ from ui.panels.panel import ListedPanel, Panel, PartPanel
 from ui.panels.rows import Make, Rows, connect_asked, file_rows, value_row
 from ui.words import in_sentence, later, tr
 from workbench.design.net import memory_bytes, parameter_count
+from workbench.levels import Level
 from workbench.process import as_bytes
 from workbench.scene import (
     FieldDescription,
@@ -104,7 +105,7 @@ class _SizeRow(Row):
             "Number of optimised parameters, and their memory with gradient and optimiser state. "
             "A network that does not fit into memory is refused at the start."
         )
-        super().__init__(described(tr("Parameters"), tip), "run.parameters")
+        super().__init__(described(tr("Parameters"), tip, str, Level.EXPERT), "run.parameters")
         self._text = QLabel()
         self._add(self._text)
 
@@ -137,7 +138,7 @@ class StagesPanel(ListedPanel[Stage]):
         )
         super().__init__(
             tr("Stages"),
-            described(tr("Stages"), tip),
+            described(tr("Stages"), tip, str, Level.EXPERT),
             "run.stages",
             tr("stage"),
             (

@@ -1,10 +1,10 @@
-"""Labels that elide or wrap, and the overlay over outdated content."""
+"""Labels that elide, wrap or are dragged, and the overlay over outdated content."""
 
 import re
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QObject, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHideEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from ui.words import later, tr
@@ -110,3 +110,66 @@ class Veil(QWidget):
         painter.setPen(self.palette().toolTipText().color())
         painter.drawText(words, flags, tr(OUTDATED))
         painter.end()
+
+
+_SLACK = 4  # pixels that a hand moves without meaning to
+_FINE = 1 / 10  # of the movement, with Shift
+
+
+class DragLabel(QLabel):
+    """Label of a number, which a horizontal drag on it changes; Escape ends the drag."""
+
+    begun = Signal()
+    dragged = Signal(float)  # pixels from where the drag began, fewer with Shift
+    cancelled = Signal()
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._last: float | None = None  # where the pointer was, while the button is down
+        self._gone, self._moving = 0.0, False
+
+    def allow_drag(self) -> None:
+        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        self.begun.connect(self.grabKeyboard)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        buddy = self.buddy()
+        if buddy is not None:
+            buddy.setFocus(Qt.FocusReason.MouseFocusReason)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._last, self._gone = event.position().x(), 0.0
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._last is None or self.cursor().shape() != Qt.CursorShape.SizeHorCursor:
+            return
+        x = event.position().x()
+        if not self._moving and abs(x - self._last) < _SLACK:
+            return
+        if not self._moving:
+            self._moving, self._last = True, x
+            self.begun.emit()
+        fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        self._gone += (x - self._last) * (_FINE if fine else 1.0)
+        self._last = x
+        self.dragged.emit(self._gone)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._end()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._end()
+
+    def event(self, event: QEvent) -> bool:
+        if self._moving and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() != QEvent.Type.ShortcutOverride:
+                self._end()
+                self.cancelled.emit()
+            event.accept()
+            return True
+        return super().event(event)
+
+    def _end(self) -> None:
+        self._last = None
+        if self._moving:
+            self._moving = False
+            self.releaseKeyboard()

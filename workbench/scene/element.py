@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
+from workbench.levels import EXPERT, LIMITS, full_size
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.fields import LENGTH, PLACE, AutoNet, FieldDescription, about, describe
@@ -27,8 +28,7 @@ DEFAULT_WAVELENGTH = 0.5876
 class Element(Standing, Part):
     """One entry of an optical train: a lens, a mirror or a diffuser."""
 
-    # What it, its last freeform face, its solid part, and what light meets first are called within
-    # a sentence.
+    # Names within a sentence: of it, its last freeform face, its solid part, what light meets first
     called: ClassVar[str]
     face_called: ClassVar[str]
     body_called: ClassVar[str]
@@ -40,6 +40,7 @@ class Element(Standing, Part):
     kind: str
     name: Annotated[
         str,
+        EXPERT,
         about(
             "Name",
             "Name of the element; letters, digits, - and _.",
@@ -63,14 +64,15 @@ class Element(Standing, Part):
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
+        full_size("Full width and height of the element. All of it is lit."),
         about("Half width", "Half of its extent along x and y. All of it is lit."),
     ]
     outline: Annotated[
         Literal["rectangle", "ellipse"],
+        LIMITS,
         about(
             "Outline",
-            "Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. "
-            "Light beside it misses the element.",
+            "The rectangle of its size, or the ellipse within. Light beside it misses it.",
         ),
     ] = "rectangle"
 
@@ -146,8 +148,7 @@ class Element(Standing, Part):
     @property
     def face_files(self) -> dict[str, bytes | None]:
         """Files of the control heights of its fixed faces, by name."""
-        faces = (face for _, face in self.fixed_faces)
-        return {face.heights: face.content for face in faces if face.heights is not None}
+        return {f.heights: f.content for _, f in self.fixed_faces if f.heights is not None}
 
     def carrying(self, files: Mapping[str, bytes | None]) -> Self:
         """Return the element with the contents of the files of its fixed faces, where given."""
@@ -373,8 +374,7 @@ class Element(Standing, Part):
         """Its losses, and those of its fields that take light, by name."""
         losses = self.all_losses()
         for field in self.fields():
-            mark = field.mark(TakesLight)
-            if mark and getattr(self, field.name) == type(self).model_fields[field.name].default:
+            if (mark := field.mark(TakesLight)) and not self.differs(field.name):
                 del losses[mark.name]
         return losses
 

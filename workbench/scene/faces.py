@@ -16,6 +16,7 @@ from pydantic import ConfigDict, Field
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.fields import LENGTH, about
@@ -157,6 +158,7 @@ class ConicFace(AnyFixedFace):
     ]
     conic: Annotated[
         float,
+        EXPERT,
         about(
             "Conic constant",
             "0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.",
@@ -164,6 +166,7 @@ class ConicFace(AnyFixedFace):
     ] = 0.0
     coefficients: Annotated[
         tuple[float, ...],
+        EXPERT,
         about(
             "Coefficients",
             "Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.",

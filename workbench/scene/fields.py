@@ -6,7 +6,7 @@ reports, conversions of units and the JSON Schema follow from them.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import NoneType
 from typing import Annotated, Any, Literal, TypeVar, get_args, get_origin
@@ -15,6 +15,8 @@ import annotated_types
 from pydantic import BaseModel, Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+from workbench.levels import Level, Shown
 
 AUTO = "auto"
 """What stands in a file."""
@@ -184,6 +186,24 @@ class FieldDescription:
         return next((mark for mark in self.all_marks if isinstance(mark, kind)), None)
 
     @property
+    def level(self) -> Level:
+        """How soon a person needs it."""
+        mark = self.mark(Level)
+        return Level.JOB if mark is None else mark
+
+    @property
+    def times(self) -> float:
+        """What its numbers are multiplied by in the window."""
+        mark = self.mark(Shown)
+        return mark.times if mark else 1.0
+
+    @property
+    def in_window(self) -> "FieldDescription":
+        """The description with title and tip of the window."""
+        mark = self.mark(Shown)
+        return replace(self, title=mark.title, tip=mark.tip) if mark else self
+
+    @property
     def measure(self) -> Measure:
         """What its numbers are measured in."""
         return self.mark(Measure) or Measure()
@@ -257,12 +277,21 @@ class FieldDescription:
     @property
     def limits(self) -> str:
         """Between which numbers it lies, as a sentence; empty where an end is open, or nearly."""
-        sentence, *ends = self.bounds
+        sentence, *ends = self.bounds()
         return sentence.format(*ends)
 
-    @property
-    def bounds(self) -> tuple[str, ...]:
-        """The sentence of `limits` with braces for the numbers, one of `BOUNDS`, and these."""
+    def clamped(self, number: float) -> float:
+        """Return the number that it may hold nearest to another one, where an end is included."""
+        for mark in self.all_marks:
+            match mark:
+                case annotated_types.Ge(ge=end):
+                    number = max(number, float(end))  # type: ignore[arg-type]
+                case annotated_types.Le(le=end):
+                    number = min(number, float(end))  # type: ignore[arg-type]
+        return number
+
+    def bounds(self, times: float = 1.0) -> tuple[str, ...]:
+        """Return the sentence of `limits`, one of `BOUNDS`, and its numbers, multiplied."""
         marks = self.all_marks
         above = until = False
         low, high = "", ""
@@ -270,13 +299,13 @@ class FieldDescription:
         for mark in marks:
             match mark:
                 case annotated_types.Ge(ge=end):
-                    low = f"{end:.10g}"
+                    low = f"{times * end:.10g}"
                 case annotated_types.Gt(gt=end):
-                    low, above = f"{end:.10g}", True
+                    low, above = f"{times * end:.10g}", True
                 case annotated_types.Le(le=end):
-                    high, most = f"{end:.10g}", end
+                    high, most = f"{times * end:.10g}", end
                 case annotated_types.Lt(lt=end):
-                    high, most, until = f"{end:.10g}", end, True
+                    high, most, until = f"{times * end:.10g}", end, True
         return (BOUNDS[above, until], low, high) if low and 0 < most < _FAR else ("",)
 
 

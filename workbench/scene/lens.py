@@ -16,6 +16,7 @@ from pydantic_core import PydanticCustomError
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT, LIMITS
 from workbench.materials import refractive_index
 from workbench.messages import Message
 from workbench.scene import limits
@@ -87,8 +88,7 @@ _THICKEST = 1000.0
 
 def _thinnest(data: dict[str, Any]) -> float:
     """Default minimal thickness: small beside the lens and its stock."""
-    thickest = data.get("max_thickness")
-    usual = limits.relative(0.05)(data)
+    thickest, usual = data.get("max_thickness"), limits.relative(0.05)(data)
     return usual if thickest is None else min(usual, thickest / 2)
 
 
@@ -122,9 +122,7 @@ class Lens(Element):
         Members(("Front face", "Back face")),
         about("Faces", "Front face and back face, in the order in which light meets them."),
     ]
-
     _wavelength: float = PrivateAttr(default=DEFAULT_WAVELENGTH)
-
     absorption: Annotated[
         NonNegative,
         Measure(power=-1),
@@ -137,6 +135,7 @@ class Lens(Element):
                 "a thinner lens or a clearer glass lets more of it through",
             ),
         ),
+        EXPERT,
         about(
             "Absorption",
             "How much the glass absorbs per length: light falls as exp(−absorption · path). Clear "
@@ -146,6 +145,7 @@ class Lens(Element):
     reflection: Annotated[
         Literal["fresnel", "schlick", "none"],
         Choices((("fresnel", "Fresnel, exact"), ("schlick", "Schlick, approximate"))),
+        EXPERT,
         about(
             "Reflection",
             "What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's "
@@ -155,6 +155,7 @@ class Lens(Element):
     coating: Annotated[
         tuple[Reflectance, Reflectance] | None,
         PLACE,
+        EXPERT,
         about(
             "Coating",
             "Part of the light that an antireflection coating reflects, at the entrance face and "
@@ -164,6 +165,7 @@ class Lens(Element):
     max_thickness: Annotated[
         Positive | None,
         LENGTH,
+        LIMITS,
         about(
             "Max. thickness",
             "The back face is at most this far from the front face: the thickness of the stock "
@@ -173,6 +175,7 @@ class Lens(Element):
     min_thickness: Annotated[
         NonNegative,
         LENGTH,
+        LIMITS,
         about(
             "Min. thickness",
             "The back face stays at least this far from the front face, so that the part can be "
@@ -191,8 +194,7 @@ class Lens(Element):
 
     def with_face(self, name: str, face: Face) -> Self:
         """See `Element.with_face`."""
-        front, back = self.faces
-        faces = (face, back) if name == f"{self.name}.front" else (front, face)
+        faces = (face, self.faces[1]) if name == f"{self.name}.front" else (self.faces[0], face)
         return self.model_copy(update={"faces": faces})
 
     def lit(self, wavelength_um: float) -> Self:
@@ -222,8 +224,9 @@ class Lens(Element):
             )
         super().check_element()
         if not self.index > 1:
-            low = Message("{index:g}; greater than 1 is needed", index=self.index)
-            raise Refused("material", low)
+            raise Refused(
+                "material", Message("{index:g}; greater than 1 is needed", index=self.index)
+            )
         limits.check_index(self.index)
         if not self.designed:
             limits.check_absorption(self.absorption, self.thickness)
@@ -244,8 +247,7 @@ class Lens(Element):
 
     def remarks(self) -> Mapping[str, str]:
         """The index of a named material."""
-        named = isinstance(self.material, str)
-        return {"material": f"n = {self.index:.5f}"} if named else {}
+        return {"material": f"n = {self.index:.5f}"} if isinstance(self.material, str) else {}
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""
@@ -367,8 +369,7 @@ class Lens(Element):
 
     def ranged(self, low: float, high: float) -> Self:
         """See `Element.ranged`: the entrance face keeps its present range."""
-        entrance = self.entrance.within(self.entrance_offsets)
-        return super().ranged(low, high).with_front(entrance)
+        return super().ranged(low, high).with_front(self.entrance.within(self.entrance_offsets))
 
     def flat_z(self, heights: Array) -> float:
         """The entrance face."""

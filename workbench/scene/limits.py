@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from workbench.errors import Refused
-from workbench.messages import Message
+from workbench.messages import Message, Stated
 
 LARGEST_INDEX = 10.0
 """No transparent material has a larger refractive index."""
@@ -39,9 +39,9 @@ def check_width(half_width: tuple[float, float]) -> None:
             Message(
                 "{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if "
                 "need be",
-                large=large,
-                least=_SMALLEST,
-                most=_LARGEST,
+                large=Stated(large),
+                least=Stated(_SMALLEST),
+                most=Stated(_LARGEST),
             ),
         )
     if half_width[1 - axis] < _SLIMMEST * large:
@@ -49,9 +49,9 @@ def check_width(half_width: tuple[float, float]) -> None:
             f"half_width[{1 - axis}]",
             Message(
                 "{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}",
-                half=half_width[1 - axis],
+                half=Stated(half_width[1 - axis]),
                 most=1 / _SLIMMEST,
-                least=_SLIMMEST * large,
+                least=Stated(_SLIMMEST * large),
             ),
         )
 
@@ -106,10 +106,10 @@ def check_lengths(
             raise Refused(
                 path,
                 Message(
-                    "{length:g} is too long beside a half-width of {half:g}; at most {most:g}",
-                    length=length,
-                    half=max(half_width),
-                    most=longest,
+                    "{length:g} is too long beside a width of {width:g}; at most {most:g}",
+                    length=Stated(length),
+                    width=2 * max(half_width),
+                    most=Stated(longest),
                 ),
             )
 

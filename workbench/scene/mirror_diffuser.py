@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
+from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
@@ -55,6 +56,7 @@ class Mirror(Element):
                 "a coating with a higher reflectance reflects it",
             ),
         ),
+        EXPERT,
         about(
             "Reflectance",
             "Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, "
@@ -66,6 +68,7 @@ class Mirror(Element):
     thickness: Annotated[
         Positive,
         LENGTH,
+        LIMITS,
         about(
             "Thickness",
             "How far the flat back of the plate is behind the highest point of the mirror, in "
@@ -225,6 +228,7 @@ class Diffuser(Element):
                 "a diffuser with a higher transmittance lets it through",
             ),
         ),
+        EXPERT,
         about(
             "Transmittance",
             "Part of the light that goes on behind the diffuser, at all angles of incidence. It "

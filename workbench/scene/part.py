@@ -1,5 +1,6 @@
 """What all parts of a scene have in common, and unions of parts of several kinds."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -12,14 +13,16 @@ from pydantic_core import CoreSchema, core_schema
 
 from workbench import units
 from workbench.errors import Refused
+from workbench.levels import Level
 from workbench.messages import Message
-from workbench.scene.fields import FieldDescription, NamesFile, describe
+from workbench.scene.fields import AutoNet, FieldDescription, NamesFile, describe
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 Positive = Annotated[float, Field(gt=0)]
 NonNegative = Annotated[float, Field(ge=0)]
+_ROUNDING = 1e-9  # of a length that was converted to another unit
 
 
 class Part(BaseModel):
@@ -98,6 +101,19 @@ class Part(BaseModel):
         names = dict.fromkeys(name for name in own if name in cls.model_fields)
         return tuple(describe(name, cls.model_fields[name]) for name in names)
 
+    def differs(self, name: str) -> bool:
+        """Whether a field is other than by default; of a part its kind, of a required field no."""
+        field = type(self).model_fields.get(name)
+        if field is None or field.is_required():
+            return False
+        value = getattr(self, name)
+        usual = field.get_default(call_default_factory=True, validated_data=vars(self))
+        if isinstance(value, Part | AutoNet):
+            return type(value) is not type(usual)
+        if isinstance(value, float) and isinstance(usual, float):
+            return not math.isclose(value, usual, rel_tol=_ROUNDING)
+        return bool(value != usual)
+
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """What a new part of this kind begins with in a scene, beside defaults."""
@@ -168,6 +184,7 @@ class Kinds:
     field: str  # its name; a literal in each kind but, perhaps, the default
     default: str | None = None  # the kind where the field is left out
     title: str = "Kind"  # what a person reads for the field
+    level: Level = Level.JOB  # how soon a person needs it
 
     def name_of(self, kind: type[Part]) -> str:
         """What the field of a kind holds."""

@@ -7,6 +7,7 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, PLACE, Choices, ForMethod, about
@@ -74,11 +75,13 @@ class MeshMethod(Part):
 Intersection = Annotated[
     ExactMethod | MeshMethod,
     Kinds("method", default="exact"),
+    EXPERT,
     about("Intersection", "How it is found where a ray of the paper's method meets the exit face."),
 ]
 
 Emission = Annotated[
     Literal["uniform", "lambertian"],
+    EXPERT,
     about(
         "Emission",
         "Uniform: equally bright in all directions, as a small bulb. Lambertian: dimmer away from "
@@ -89,6 +92,7 @@ Emission = Annotated[
 Sampling = Annotated[
     Literal["sobol", "random"],
     Choices((("sobol", "Low discrepancy"),)),
+    EXPERT,
     about(
         "Sampling",
         "How directions of the paper's method are drawn. Low discrepancy (Sobol) spreads them "
@@ -99,6 +103,7 @@ Sampling = Annotated[
 Fresh = Annotated[
     bool,
     ForMethod("paper"),
+    EXPERT,
     about(
         "Fresh rays",
         "Draw new rays for each iteration of the paper's method, so that the lens cannot fit "
@@ -172,6 +177,7 @@ class PointSource(LightOfPoints):
     ]
     rays: Annotated[
         int,
+        EXPERT,
         about(
             "Rays",
             "Rays in each iteration of the paper's method, and for derivative maps, those that "

@@ -9,6 +9,7 @@ from pydantic import Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part
@@ -20,6 +21,7 @@ PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
 Pixels = Annotated[
     tuple[PixelCount, PixelCount],
+    EXPERT,
     about(
         "Pixels",
         "Pixels along x and y in which the light is counted and compared with the target.",

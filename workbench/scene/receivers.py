@@ -9,7 +9,8 @@ from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.messages import Message
+from workbench.levels import EXPERT, full_size
+from workbench.messages import Message, Stated
 from workbench.scene import limits
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
@@ -62,6 +63,7 @@ class Screen(AnyReceiver):
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
+        full_size("Full width and height of the screen. The target fills it."),
         about("Half width", "Half of the screen's extent along x and y. The target fills it."),
     ]
     pixels: Pixels
@@ -269,6 +271,7 @@ class FarField(AnyReceiver):
     half_angle: Annotated[
         tuple[_HalfAngle, _HalfAngle],
         ANGLE,
+        full_size("Full angles that it covers across and upwards. The target fills it."),
         about(
             "Half angle",
             "Half of the angles that it covers to the right and upwards. The target fills it.",
@@ -278,6 +281,7 @@ class FarField(AnyReceiver):
         tuple[_Angle, _Angle],
         ANGLE,
         PLACE,
+        EXPERT,
         about("Centre", "Its middle: angle to the right and angle upwards from the optical axis."),
     ] = (0.0, 0.0)
     pixels: Pixels
@@ -314,10 +318,10 @@ class FarField(AnyReceiver):
                     f"half_angle[{axis}]",
                     Message(
                         "{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}",
-                        half=half,
+                        half=Stated(half),
                         middle=middle,
                         most=_MOST,
-                        left=_MOST - abs(middle),
+                        left=Stated(_MOST - abs(middle)),
                     ),
                 )
 

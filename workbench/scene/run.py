@@ -8,6 +8,7 @@ from pydantic import AfterValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
 from workbench.errors import Refused
+from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
 from workbench.scene.faces import NetSize
 from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, Measure, about
@@ -135,6 +136,7 @@ class RunSettings(Part):
 
     iterations: Annotated[
         int,
+        EXPERT,
         about(
             "Iterations",
             "Upper limit of iterations. Automatic may stop sooner, when nothing improves.",
@@ -144,10 +146,12 @@ class RunSettings(Part):
     ] = 300
     stages: Annotated[
         tuple[Stage, ...],
+        EXPERT,
         about("Stages", "What the run goes through before the scene as it stands."),
     ] = ()
     smoothness: Annotated[
         Positive | None,
+        EXPERT,
         about(
             "Smoothness",
             "Weight of the exit face's bending energy beside the square of the image's error; it "
@@ -158,6 +162,7 @@ class RunSettings(Part):
     min_radius: Annotated[
         Positive | None,
         LENGTH,
+        LIMITS,
         about(
             "Smallest radius",
             "Smallest radius of curvature that the exit face may have, concave and convex: "
@@ -168,6 +173,7 @@ class RunSettings(Part):
     min_tool_radius: Annotated[
         Positive | None,
         LENGTH,
+        LIMITS,
         about(
             "Ball cutter radius",
             "Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows "
@@ -177,6 +183,7 @@ class RunSettings(Part):
     ] = None
     seed: Annotated[
         int,
+        EXPERT,
         about(
             "Seed",
             "Start of the random numbers; the same seed repeats the same run.",
@@ -187,6 +194,7 @@ class RunSettings(Part):
     device: Annotated[
         Literal["cpu", "cuda"],
         Choices((("cpu", "Processor"), ("cuda", "Graphics card (CUDA)"))),
+        EXPERT,
         about("Computes on", "The graphics card needs a CUDA device and a PyTorch built for it."),
     ] = "cpu"
 
@@ -244,6 +252,7 @@ class PaperRun(RunSettings):
                 ("dense", "Dense network"),
             )
         ),
+        EXPERT,
         about(
             "Optimises",
             "What the optimiser moves: one number per control height, or the weights of a network "
@@ -254,6 +263,7 @@ class PaperRun(RunSettings):
     start: Annotated[
         Literal["zeros", "uniform", "random"],
         Choices((("zeros", "Flat"), ("uniform", "Faint noise"))),
+        EXPERT,
         about(
             "Start",
             "Parameters before the first iteration: all zero, in ±0.0001, or drawn from the seed "
@@ -264,6 +274,7 @@ class PaperRun(RunSettings):
     learning_rate: Annotated[
         Positive | None,
         Fallback("run.rate"),
+        EXPERT,
         about("Learning rate", f"{_RATE} Left empty, it is the one that suits what is optimised."),
     ] = None
 
@@ -278,7 +289,7 @@ class PaperRun(RunSettings):
         return _NETS[self.parametrisation]
 
 
-Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method")]
+Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method", level=EXPERT)]
 _MOST = 100  # each is checked as a scene of its own
 
 

@@ -9,6 +9,7 @@ from pydantic import Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element
@@ -22,10 +23,18 @@ if TYPE_CHECKING:
 
 # A new source stands this many lens half-widths before the entrance face.
 _DISTANCE = 5.0
-MOST_RAYS = 1 << 24
-"""That a source may ask for."""
-
-
+MOST_RAYS = 1 << 24  # that a source may ask for
+Rays = Annotated[
+    int,
+    EXPERT,
+    about(
+        "Rays",
+        "Rays in each iteration of the paper's method, and for derivative maps. Automatic "
+        "chooses its own.",
+        ge=1,
+        le=MOST_RAYS,
+    ),
+]
 MOST_LINES = 16
 """Of a spectrum: each takes a trace of its own."""
 
@@ -42,6 +51,7 @@ class AnySource(Part):
         Positive | None,
         Measure("µm"),
         Fallback("source.wavelength"),
+        EXPERT,
         about(
             "Wavelength",
             "Vacuum wavelength at which the indices of materials are taken. Left empty, it is "
@@ -50,6 +60,7 @@ class AnySource(Part):
     ] = None
     spectrum: Annotated[
         Lines | None,
+        EXPERT,
         about(
             "Spectrum",
             "Up to 16 lines of light in place of one wavelength: wavelength in µm and part of the "
@@ -289,20 +300,20 @@ def check_place(path: str, place: Place, optic: Element) -> None:
             "{z:g} is not before {front}; less than {most:g}", z=z, front=front, most=optic.lowest
         )
         raise Refused(f"{path}[2]", behind)
-    there = {"way": way, "front": front, "optic": optic.called, "size": size}
+    there = {"way": way, "front": front, "optic": optic.called, "width": 2 * size}
     least, most = limits.NEAREST * size, limits.FARTHEST * size
     if way < least:
         near = Message(
-            "{way:g} before {front} is too near for a {optic} with a half-width of {size:g}; at "
-            "least {least:g}",
+            "{way:g} before {front} is too near for a {optic} that is {width:g} wide; at least "
+            "{least:g}",
             least=least,
             **there,
         )
         raise Refused(f"{path}[2]", near)
     if way > most:
         far = Message(
-            "{way:g} before {front} is too far for a {optic} with a half-width of {size:g}; at "
-            "most {most:g}, or collimated light",
+            "{way:g} before {front} is too far for a {optic} that is {width:g} wide; at most "
+            "{most:g}, or collimated light",
             most=most,
             **there,
         )

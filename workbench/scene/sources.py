@@ -11,6 +11,7 @@ from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
@@ -18,7 +19,7 @@ from workbench.scene.fields import ANGLE, FILE, LENGTH, PLACE, about
 from workbench.scene.part import Content, Kinds, Part, Positive
 from workbench.scene.points import PointSource
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.source import MOST_RAYS, AnySource, PlacedSource, disc, in_front
+from workbench.scene.source import AnySource, PlacedSource, Rays, disc, in_front
 from workbench.scene.turning import Place, proper, tilt_of, tilted, turned
 from workbench.scene.wide_sources import AreaSource, GridSource
 
@@ -62,7 +63,9 @@ class GaussianProfile(Part):
         return {"radius": min(scene.optic.half_width) / 2}
 
 
-Profile = Annotated[UniformProfile | GaussianProfile, Kinds("kind", default="uniform")]
+Profile = Annotated[
+    UniformProfile | GaussianProfile, Kinds("kind", default="uniform", level=EXPERT)
+]
 
 
 class CollimatedSource(AnySource):
@@ -73,6 +76,7 @@ class CollimatedSource(AnySource):
     kind: Literal["collimated"]
     rays: Annotated[
         tuple[RayCount, RayCount],
+        EXPERT,
         about(
             "Rays",
             "Rays along x and y in each iteration of the paper's method, and for derivative maps. "
@@ -204,11 +208,11 @@ class CollimatedSource(AnySource):
             raise Refused(
                 "source.profile.radius",
                 Message(
-                    "{radius:g} is too narrow for a {optic} with a half-width of {half:g}; at "
-                    "least {least:g}",
+                    "{radius:g} is too narrow for a {optic} that is {width:g} wide; at least "
+                    "{least:g}",
                     radius=radius,
                     optic=optic.called,
-                    half=max(optic.half_width),
+                    width=2 * max(optic.half_width),
                     least=least,
                 ),
             )
@@ -232,22 +236,14 @@ class MeasuredSource(PlacedSource):
         tuple[Angle, Angle, Angle],
         ANGLE,
         PLACE,
+        EXPERT,
         about(
             "Rotation",
             "How the lamp is turned about its own origin: about its x, then about its new y, then "
             "about its new z.",
         ),
     ] = (0.0, 0.0, 0.0)
-    rays: Annotated[
-        int,
-        about(
-            "Rays",
-            "Rays in each iteration of the paper's method, and for derivative maps. Automatic "
-            "chooses its own.",
-            ge=1,
-            le=MOST_RAYS,
-        ),
-    ] = 500_000
+    rays: Rays = 500_000
     _content: Content = PrivateAttr(default_factory=Content)
 
     def __eq__(self, other: object) -> bool:
@@ -372,6 +368,7 @@ class RayFileSource(MeasuredSource):
     ] = (0.0, 0.0, 0.0)
     file_unit: Annotated[
         Literal["mm", "cm", "m", "inch"] | None,
+        EXPERT,
         about(
             "Unit of the file",
             "Unit of the lengths in the file. Left empty, it is the one that the file names.",

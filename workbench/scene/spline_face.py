@@ -12,6 +12,7 @@ from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.faces import LARGEST_NET, ConicFace, Degree, FixedFace, NetShape, PlaneFace
@@ -164,6 +165,7 @@ class SplineFace(Part):
     shape: Literal["bspline"] = "bspline"
     degree: Annotated[
         tuple[Degree, Degree],
+        EXPERT,
         about(
             "Degree",
             "Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.",
@@ -172,6 +174,7 @@ class SplineFace(Part):
     control_points: Annotated[
         NetShape | AutoNet,
         NumbersOrAuto(),
+        EXPERT,
         about(
             "Control points",
             "Number of control points along x and y. More of them draw finer detail and take "
@@ -182,12 +185,14 @@ class SplineFace(Part):
     ] = AutoNet()
     base: Annotated[
         Base,
+        EXPERT,
         about("Base", "The shape of the face before the design; heights are counted from it."),
     ] = FlatBase()
     height_range: Annotated[
         tuple[float, float] | None,
         LENGTH,
         RANGE,
+        LIMITS,
         about(
             "Height range",
             "How far the face may be from the base. Automatic takes what the task needs.",
@@ -195,11 +200,13 @@ class SplineFace(Part):
     ] = None
     fixed: Annotated[
         bool,
+        EXPERT,
         about("Fixed", "The design leaves the face as it is, with the control heights given."),
     ] = False
     heights: Annotated[
         str | None,
         FILE,
+        EXPERT,
         about(
             "Control heights",
             "File (.npy) of the control heights of a fixed face, in the element's coordinates.",
@@ -334,7 +341,7 @@ def _read_heights(data: bytes) -> Array:
     return heights.astype(np.float64)
 
 
-Face = Annotated[FixedFace | SplineFace, Kinds("shape", title="Shape")]
+Face = Annotated[FixedFace | SplineFace, Kinds("shape", title="Shape", level=EXPERT)]
 
 
 class PlacedFace(NamedTuple):

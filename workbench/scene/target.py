@@ -6,15 +6,9 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.levels import EXPERT
 from workbench.messages import Message
-from workbench.scene.fields import (
-    FILE,
-    PLACE,
-    Choices,
-    LeftOut,
-    Measure,
-    about,
-)
+from workbench.scene.fields import FILE, PLACE, Choices, LeftOut, Measure, about
 from workbench.scene.part import Kinds, Part, title_of
 
 Side = Literal["front", "back"]
@@ -27,6 +21,7 @@ class Finish(Part):
     padding: Annotated[
         float,
         Measure("of width", "of the whole image"),
+        EXPERT,
         about(
             "Padding",
             "Black border on each side as a fraction of the whole image; it keeps light away from "
@@ -38,6 +33,7 @@ class Finish(Part):
     blur: Annotated[
         float,
         Measure("px", "pixels"),
+        EXPERT,
         about(
             "Blur",
             "Standard deviation of a Gaussian over the target. Soft edges are easier for a smooth "
@@ -46,7 +42,7 @@ class Finish(Part):
             le=1000,
         ),
     ] = 0.0
-    invert: Annotated[bool, about("Invert", "Swap bright and dark.")] = False
+    invert: Annotated[bool, EXPERT, about("Invert", "Swap bright and dark.")] = False
     viewed_from: Annotated[
         Side | None,
         Choices((("front", "The side of the light"), ("back", "Behind the receiver"))),
@@ -97,6 +93,7 @@ class ImageTarget(Finish):
     tone: Annotated[
         Literal["linear", "srgb"],
         Choices((("linear", "As stored"), ("srgb", "As shown by a monitor"))),
+        EXPERT,
         about(
             "Brightness",
             "What a pixel value means. A monitor shows half of the largest value as a fifth of "
@@ -108,6 +105,7 @@ class ImageTarget(Finish):
     fit: Annotated[
         Literal["whole", "fill"],
         Choices((("whole", "All of the picture"), ("fill", "Without a border"))),
+        EXPERT,
         about(
             "Fit",
             "Whether all of the picture is seen, with a black border where the screen or the far "
@@ -124,12 +122,14 @@ class ImageTarget(Finish):
                 ("around", "Upside down"),
             )
         ),
+        EXPERT,
         about("Turn", "Turns the picture."),
     ] = "none"
     crop: Annotated[
         tuple[_Cut, _Cut, _Cut, _Cut],
         PLACE,
         Measure("of the picture"),
+        EXPERT,
         about(
             "Cut away",
             "What is cut away at the left, top, right and bottom of the picture, as fractions of "

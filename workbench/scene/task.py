@@ -8,6 +8,7 @@ from pydantic import Field
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
+from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
@@ -41,7 +42,7 @@ from workbench.scene.train import (
 from workbench.scene.versions import SceneFile
 
 Unit = Literal["mm", "cm", "m", "inch"]
-AnyElement = Annotated[Lens | Mirror | Diffuser, Kinds("kind")]
+AnyElement = Annotated[Lens | Mirror | Diffuser, Kinds("kind", level=EXPERT)]
 
 
 class Scene(Train, SceneFile):
@@ -79,6 +80,7 @@ class Scene(Train, SceneFile):
     version: Literal[3] = 3
     unit: Annotated[
         Unit,
+        EXPERT,
         about(
             "Unit",
             "Unit of every length in the scene. Another one converts them all: a lens of 1 cm "
@@ -106,6 +108,7 @@ class Scene(Train, SceneFile):
     ]
     filter: Annotated[
         Filter,
+        EXPERT,
         about(
             "Image filter",
             "How a ray's light is shared among pixels, by the paper's method and in derivative "

@@ -8,11 +8,12 @@ import numpy as np
 from pydantic import Field
 
 from workbench.arrays import Array
+from workbench.levels import EXPERT
 from workbench.scene.fields import ANGLE, PLACE
 
 Place = tuple[float, float, float]
 _Angle = Annotated[float, Field(ge=-180, le=180)]
-Tilt = Annotated[tuple[_Angle, _Angle, _Angle], ANGLE, PLACE]
+Tilt = Annotated[tuple[_Angle, _Angle, _Angle], ANGLE, PLACE, EXPERT]
 
 # Parts of unit vectors below this are rounding.
 _ROUNDING = 1e-14

@@ -9,6 +9,7 @@ from pydantic import ConfigDict, Field
 
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.levels import EXPERT, full_size
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
@@ -16,7 +17,7 @@ from workbench.scene.fields import LENGTH, PLACE, Measure, about
 from workbench.scene.part import NonNegative, Positive
 from workbench.scene.points import Emission, LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.source import MOST_RAYS, PlacedSource, disc, in_front
+from workbench.scene.source import MOST_RAYS, PlacedSource, Rays, disc, in_front
 from workbench.scene.turning import Place
 
 if TYPE_CHECKING:
@@ -106,6 +107,10 @@ class GridSource(WideSource, LightOfPoints):
     half_width: Annotated[
         tuple[NonNegative, NonNegative],
         LENGTH,
+        full_size(
+            "Full width and height of the grid. No detail of the image can be sharper than the "
+            "image that the lens makes of this."
+        ),
         about(
             "Half width",
             "Half of the grid's extent along x and y. No detail of the image can be sharper than "
@@ -114,6 +119,7 @@ class GridSource(WideSource, LightOfPoints):
     ]
     points: Annotated[
         tuple[PointCount, PointCount],
+        EXPERT,
         about(
             "Points",
             "Points along x and y, the outer ones on the rim. More of them come closer to an "
@@ -122,6 +128,7 @@ class GridSource(WideSource, LightOfPoints):
     ]
     rays: Annotated[
         int,
+        EXPERT,
         about(
             "Rays per point",
             "Rays from each point of the grid, for the paper's method and derivative maps. What "
@@ -236,11 +243,15 @@ class AreaSource(WideSource):
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
+        full_size("Full width and height of the emitter."),
         about("Half width", "Half of the emitter's extent along x and y."),
     ]
     outline: Annotated[
         Literal["rectangle", "ellipse"],
-        about("Outline", "The shape of its face; of an ellipse the half-widths are semi-axes."),
+        EXPERT,
+        about(
+            "Outline", "The shape of its face: the rectangle of its size, or the ellipse within."
+        ),
     ] = "rectangle"
     emission: Emission = "lambertian"
     flux: Annotated[
@@ -253,16 +264,7 @@ class AreaSource(WideSource):
             le=1e9,
         ),
     ] = None
-    rays: Annotated[
-        int,
-        about(
-            "Rays",
-            "Rays in each iteration of the paper's method, and for derivative maps. Automatic "
-            "chooses its own.",
-            ge=1,
-            le=MOST_RAYS,
-        ),
-    ] = 500_000
+    rays: Rays = 500_000
 
     @property
     def lumens(self) -> float | None:

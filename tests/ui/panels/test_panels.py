@@ -38,9 +38,9 @@ def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbo
     for axis, text in ((0, "40"), (1, "50"), (0, "50")):
         enter(qtbot, forms, f"images[0].receiver.half_width[{axis}]", text)
     assert document.undo_stack.count() == 1
-    assert document.undo_stack.undoText() == "receiver half width 1 → 50 cm"
+    assert document.undo_stack.undoText() == "receiver size 2 → 50 cm"
     enter(qtbot, forms, "images[0].receiver.half_width[0]", "30")
-    assert document.undo_stack.undoText() == "receiver half width 1 × 1 → 30 × 50 cm"
+    assert document.undo_stack.undoText() == "receiver size 2 × 2 → 30 × 50 cm"
     enter(qtbot, forms, "elements[0].faces[1].height_range[1]", "0.4")
     assert (
         document.undo_stack.undoText()

@@ -209,11 +209,12 @@ def test_a_name_is_unique_and_has_no_spaces(begin, qtbot):
     assert "letters, digits, - and _" in name.refusal
     fill(qtbot, name.editor, "dome")
     assert names(document) == ["lens", "dome"]
-    assert row(forms, "elements[1].half_width").name == "Dome half width"
+    assert row(forms, "elements[1].half_width").name == "Dome size"
 
 
 def test_rows_of_both_faces_have_names_of_their_own(begin):
     _, forms = begin({"lens.entrance": {"shape": "freeform"}})
+    row(forms, "elements[0].tilt")
     shown = [
         each.name for each in rows(forms) if each.path.startswith("elements") and each.isVisible()
     ]

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, row, rows
 from ui.document.document import Document
-from ui.panels.scene import StagesPanel
 from workbench.scene import Stage
 
 
@@ -29,14 +28,13 @@ def stages(document):
 
 
 def click(qtbot, forms, text):
-    button = next(
-        b for b in forms.findChild(StagesPanel).findChildren(QToolButton) if b.text() == text
-    )
+    buttons = row(forms, "run.stages").findChildren(QToolButton)
+    button = next(each for each in buttons if each.text() == text)
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
 def the_list(forms):
-    return forms.findChild(StagesPanel).findChild(QListWidget)
+    return row(forms, "run.stages").findChild(QListWidget)
 
 
 def listed(forms):
