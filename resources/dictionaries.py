@@ -121,6 +121,8 @@ def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:
             yield left_out.title
         if field.type != Unit:  # which is the same in all languages
             yield from (title for _, title in field.choices)
+        shown = field.in_window
+        yield from (shown.title, shown.tip, *(member.title for member in field.members))
         if field.between.isalpha():
             yield field.between
         if " " in field.measure.sign:  # units are the same everywhere

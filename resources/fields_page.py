@@ -53,11 +53,14 @@ def _row(field: FieldDescription, part: type[Part]) -> str:
     default = "" if known.is_required() else _default(known)
     unit = field.measure.words_in("length")
     sentences = [_sentence(field.tip)]
+    if field.times != 1:
+        sentences.append(f"The window shows {field.times:g} times this.")
     if field.limits:
         sentences.append(field.limits)
     if field.choices:
         sentences.append("One of " + ", ".join(f"`{value}`" for value, _ in field.choices) + ".")
-    named = f"{field.title} ({unit})" if unit else field.title
+    title = field.in_window.title
+    named = f"{title} ({unit})" if unit else title
     return "| " + " | ".join((f"`{field.name}`", named, default, " ".join(sentences))) + " |"
 
 

@@ -3089,6 +3089,36 @@
             <translation>Veraltet: die Linse hat sich geändert.</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Limits</source>
+            <translation>Grenzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Expert</source>
+            <translation>Experte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>No field matches.</source>
+            <translation>Kein Feld passt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Search all fields by name, explanation or path in files (Ctrl+F)</source>
+            <translation>Alle Felder nach Name, Erklärung oder Pfad in Dateien durchsuchen (Strg+F)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Search fields</source>
+            <translation>Felder suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>{count} changed</source>
+            <translation>{count} geändert</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>die Aufgabe hat dieses Feld nicht mehr</translation>
@@ -3105,53 +3135,33 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Add a plano-convex lens of fixed shape behind the last element</source>
-            <translation>Eine plankonvexe Linse fester Form hinter dem letzten Element hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a plane mirror behind the last element</source>
-            <translation>Einen ebenen Spiegel hinter dem letzten Element hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a diffuser behind the last element</source>
-            <translation>Einen Diffusor hinter dem letzten Element anfügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a copy of the selected element behind the last element</source>
-            <translation>Eine Kopie des gewählten Elements hinter dem letzten Element hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Remove the selected element</source>
-            <translation>Das gewählte Element entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Swap the selected element with the previous one, positions included</source>
-            <translation>Gewähltes Element mit dem vorigen tauschen, samt Positionen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Swap the selected element with the next one, positions included</source>
-            <translation>Gewähltes Element mit dem nächsten tauschen, samt Positionen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>Add lens</source>
-            <translation>Linse hinzufügen</translation>
+            <translation>+ Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a plano-convex lens of fixed shape behind the others</source>
+            <translation>Eine plankonvexe Linse fester Form hinter den anderen hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Add mirror</source>
-            <translation>Spiegel hinzufügen</translation>
+            <translation>+ Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a plane mirror behind the others</source>
+            <translation>Einen ebenen Spiegel hinter den anderen hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Add diffuser</source>
-            <translation>Diffusor hinzufügen</translation>
+            <translation>+ Diffusor</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a diffuser behind the others</source>
+            <translation>Einen Diffusor hinter den anderen hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3305,28 +3315,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ein weiter entferntes Bild mit dem Ziel des letzten hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Add a copy of the selected image</source>
-            <translation>Eine Kopie des gewählten Bildes dahinter hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Remove the selected image</source>
-            <translation>Das gewählte Bild entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected image up</source>
-            <translation>Das gewählte Bild nach oben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected image down</source>
-            <translation>Das gewählte Bild nach unten</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3360,26 +3355,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add a copy of the selected region</source>
-            <translation>Eine Kopie des gewählten Ausschnitts dahinter hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Remove the selected region</source>
-            <translation>Den gewählten Ausschnitt entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected region up</source>
-            <translation>Den gewählten Ausschnitt nach oben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected region down</source>
-            <translation>Den gewählten Ausschnitt nach unten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>None.</source>
             <translation>Keine.</translation>
         </message>
@@ -3410,13 +3385,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
+            <source>Duplicate</source>
+            <translation>Duplizieren</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
-            <source>Duplicate</source>
-            <translation>Duplizieren</translation>
+            <source>Add a copy of the selected one</source>
+            <translation>Eine Kopie des gewählten Eintrags hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3425,13 +3400,28 @@
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
+            <source>Remove the selected one</source>
+            <translation>Den gewählten Eintrag entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
             <source>Up</source>
             <translation>Auf</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
+            <source>Move the selected one up</source>
+            <translation>Den gewählten Eintrag nach oben verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
             <source>Down</source>
             <translation>Ab</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Move the selected one down</source>
+            <translation>Den gewählten Eintrag nach unten verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3527,26 +3517,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Add a stage behind the others</source>
             <translation>Eine Stufe hinter den anderen hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Add a copy of the selected stage</source>
-            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Remove the selected stage</source>
-            <translation>Die gewählte Stufe entfernen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Run the selected stage earlier</source>
-            <translation>Die gewählte Stufe früher ausführen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Run the selected stage later</source>
-            <translation>Die gewählte Stufe später ausführen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -4390,23 +4360,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Control point</source>
-            <translation>Kontrollpunkt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>Choose a control point here, or click it in the 3D scene.</source>
-            <translation>Kontrollpunkt hier wählen oder in der 3D-Szene anklicken.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
             <source>Computing…</source>
             <translation>Berechnung …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>The map is not computed yet.</source>
-            <translation>Die Karte ist noch nicht berechnet.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4642,6 +4597,11 @@
             <location filename="../../ui/views/photo_view.py" />
             <source>Predicting… {part:.0f} %</source>
             <translation>Vorhersage … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>State of the photo</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -5626,6 +5586,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the grid. No detail of the image can be sharper than the image that the lens makes of this.</source>
+            <translation>Volle Breite und Höhe des Rasters. Keine Einzelheit des Bildes kann schärfer sein als das Bild, das die Linse hiervon macht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Points</source>
             <translation>Punkte</translation>
         </message>
@@ -5736,13 +5706,18 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Full width and height of the emitter.</source>
+            <translation>Volle Breite und Höhe des Strahlers.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Outline</source>
             <translation>Umriss</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
-            <translation>Die Form seiner Fläche; bei einer Ellipse sind die Halbbreiten Halbachsen.</translation>
+            <source>The shape of its face: the rectangle of its size, or the ellipse within.</source>
+            <translation>Die Form seiner Fläche: das Rechteck seiner Größe oder die Ellipse darin.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5806,8 +5781,13 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
-            <translation>Die Form entlang der Achse gesehen; bei einer Ellipse sind die Halbbreiten Halbachsen. Licht daneben verfehlt das Element.</translation>
+            <source>Full width and height of the element. All of it is lit.</source>
+            <translation>Volle Breite und Höhe des Elements. Alles davon ist beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The rectangle of its size, or the ellipse within. Light beside it misses it.</source>
+            <translation>Das Rechteck seiner Größe oder die Ellipse darin. Licht daneben verfehlt das Element.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5853,6 +5833,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Front face and back face, in the order in which light meets them.</source>
             <translation>Vorderfläche und Rückfläche, in der Reihenfolge, in der Licht sie trifft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Front face</source>
+            <translation>Vorderfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Back face</source>
+            <translation>Rückfläche</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6221,6 +6211,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Full width and height of the screen. The target fills it.</source>
+            <translation>Volle Breite und Höhe des Schirms. Das Ziel füllt ihn.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Pixels</source>
             <translation>Pixel</translation>
         </message>
@@ -6248,6 +6243,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Half of the angles that it covers to the right and upwards. The target fills it.</source>
             <translation>Die Hälfte der Winkel, die es nach rechts und nach oben umfasst. Das Ziel füllt es.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angles that it covers across and upwards. The target fills it.</source>
+            <translation>Volle Winkel, die es quer und nach oben umfasst. Das Ziel füllt es.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6543,11 +6543,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
             <translation>Das Licht fällt über einige Pixel ab, sodass ein Entwurf spürt, wo im Pixel ein Strahl landet.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Size</source>
-            <translation>Größe</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9571,8 +9566,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
-            <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
-            <translation>{length:g} ist zu lang neben einer halben Breite von {half:g}; höchstens {most:g}</translation>
+            <source>{length:g} is too long beside a width of {width:g}; at most {most:g}</source>
+            <translation>{length:g} ist zu lang neben einer Breite von {width:g}; höchstens {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/losses.py" />
@@ -9691,23 +9686,23 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} davor ({front}) ist zu nah für eine Linse mit halber Breite {size:g}; mindestens {least:g}</translation>
+            <source>{way:g} before {front} is too near for a lens that is {width:g} wide; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für eine {width:g} breite Linse; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} davor ({front}) ist zu nah für einen Spiegel mit halber Breite {size:g}; mindestens {least:g}</translation>
+            <source>{way:g} before {front} is too near for a mirror that is {width:g} wide; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für einen {width:g} breiten Spiegel; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} davor ({front}) ist zu fern für eine Linse mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+            <source>{way:g} before {front} is too far for a lens that is {width:g} wide; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für eine {width:g} breite Linse; höchstens {most:g}, oder kollimiertes Licht</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} davor ({front}) ist zu fern für einen Spiegel mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+            <source>{way:g} before {front} is too far for a mirror that is {width:g} wide; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für einen {width:g} breiten Spiegel; höchstens {most:g}, oder kollimiertes Licht</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
@@ -9731,13 +9726,13 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />
-            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} ist zu schmal für eine Linse mit halber Breite {half:g}; mindestens {least:g}</translation>
+            <source>{radius:g} is too narrow for a lens that is {width:g} wide; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für eine {width:g} breite Linse; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />
-            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
+            <source>{radius:g} is too narrow for a mirror that is {width:g} wide; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für einen {width:g} breiten Spiegel; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />

@@ -3089,6 +3089,36 @@
             <translation>Obsolète : la lentille a changé.</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Limits</source>
+            <translation>Limites</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Expert</source>
+            <translation>Expert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>No field matches.</source>
+            <translation>Aucun champ ne correspond.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Search all fields by name, explanation or path in files (Ctrl+F)</source>
+            <translation>Chercher parmi tous les champs par nom, explication ou chemin dans les fichiers (Ctrl+F)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>Search fields</source>
+            <translation>Chercher un champ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/area.py" />
+            <source>{count} changed</source>
+            <translation>{count} modifiés</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>la tâche n'a plus ce champ</translation>
@@ -3105,53 +3135,33 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Add a plano-convex lens of fixed shape behind the last element</source>
-            <translation>Ajouter une lentille plan-convexe de forme fixe derrière le dernier élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a plane mirror behind the last element</source>
-            <translation>Ajouter un miroir plan derrière le dernier élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a diffuser behind the last element</source>
-            <translation>Ajouter un diffuseur derrière le dernier élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Add a copy of the selected element behind the last element</source>
-            <translation>Ajouter une copie de l'élément choisi derrière le dernier élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Remove the selected element</source>
-            <translation>Retirer l'élément choisi</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Swap the selected element with the previous one, positions included</source>
-            <translation>Échanger l'élément choisi avec le précédent, positions comprises</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
-            <source>Swap the selected element with the next one, positions included</source>
-            <translation>Échanger l'élément choisi avec le suivant, positions comprises</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>Add lens</source>
-            <translation>Ajouter une lentille</translation>
+            <translation>+ lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a plano-convex lens of fixed shape behind the others</source>
+            <translation>Ajouter une lentille plan-convexe de forme fixe derrière les autres</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Add mirror</source>
-            <translation>Ajouter un miroir</translation>
+            <translation>+ miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a plane mirror behind the others</source>
+            <translation>Ajouter un miroir plan derrière les autres</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Add diffuser</source>
-            <translation>Ajouter un diffuseur</translation>
+            <translation>+ diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Add a diffuser behind the others</source>
+            <translation>Ajouter un diffuseur derrière les autres</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3305,28 +3315,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ajouter une image plus loin, avec la cible de la dernière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Add a copy of the selected image</source>
-            <translation>Ajouter une copie de l'image choisie après elle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Remove the selected image</source>
-            <translation>Retirer l'image choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected image up</source>
-            <translation>Monter l'image choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected image down</source>
-            <translation>Descendre l'image choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3360,26 +3355,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add a copy of the selected region</source>
-            <translation>Ajouter une copie de la région choisie après elle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Remove the selected region</source>
-            <translation>Retirer la région choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected region up</source>
-            <translation>Monter la région choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Move the selected region down</source>
-            <translation>Descendre la région choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>None.</source>
             <translation>Aucune.</translation>
         </message>
@@ -3410,13 +3385,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
-            <source>Add</source>
-            <translation>Ajouter</translation>
+            <source>Duplicate</source>
+            <translation>Dupliquer</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
-            <source>Duplicate</source>
-            <translation>Dupliquer</translation>
+            <source>Add a copy of the selected one</source>
+            <translation>Ajouter une copie de l'entrée choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3425,13 +3400,28 @@
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
+            <source>Remove the selected one</source>
+            <translation>Supprimer l'entrée choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
             <source>Up</source>
             <translation>Monter</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
+            <source>Move the selected one up</source>
+            <translation>Monter l'entrée choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
             <source>Down</source>
             <translation>Descendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
+            <source>Move the selected one down</source>
+            <translation>Descendre l'entrée choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3527,26 +3517,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Add a stage behind the others</source>
             <translation>Ajouter une étape après les autres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Add a copy of the selected stage</source>
-            <translation>Ajouter une copie de l'étape choisie après elle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Remove the selected stage</source>
-            <translation>Retirer l'étape choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Run the selected stage earlier</source>
-            <translation>Exécuter plus tôt l'étape choisie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Run the selected stage later</source>
-            <translation>Exécuter plus tard l'étape choisie</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -4390,23 +4360,8 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Control point</source>
-            <translation>Point de contrôle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>Choose a control point here, or click it in the 3D scene.</source>
-            <translation>Choisissez un point de contrôle ici, ou cliquez-le dans la scène 3D.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
             <source>Computing…</source>
             <translation>Calcul…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
-            <source>The map is not computed yet.</source>
-            <translation>La carte n'est pas encore calculée.</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4642,6 +4597,11 @@
             <location filename="../../ui/views/photo_view.py" />
             <source>Predicting… {part:.0f} %</source>
             <translation>Prédiction… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>State of the photo</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -5626,6 +5586,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Taille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the grid. No detail of the image can be sharper than the image that the lens makes of this.</source>
+            <translation>Largeur et hauteur totales de la grille. Aucun détail de l'image ne peut être plus net que l'image que la lentille en fait.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Points</source>
             <translation>Points</translation>
         </message>
@@ -5736,13 +5706,18 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Full width and height of the emitter.</source>
+            <translation>Largeur et hauteur totales de l'émetteur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Outline</source>
             <translation>Contour</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
-            <translation>La forme de sa face ; pour une ellipse les demi-largeurs sont des demi-axes.</translation>
+            <source>The shape of its face: the rectangle of its size, or the ellipse within.</source>
+            <translation>La forme de sa face : le rectangle de sa taille, ou l'ellipse inscrite.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5806,8 +5781,13 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
-            <translation>Sa forme vue selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque l'élément.</translation>
+            <source>Full width and height of the element. All of it is lit.</source>
+            <translation>Largeur et hauteur totales de l'élément. Il est éclairé en entier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The rectangle of its size, or the ellipse within. Light beside it misses it.</source>
+            <translation>Le rectangle de sa taille, ou l'ellipse inscrite. La lumière à côté manque l'élément.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5853,6 +5833,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Front face and back face, in the order in which light meets them.</source>
             <translation>Face avant et face arrière, dans l'ordre où la lumière les rencontre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Front face</source>
+            <translation>Face avant</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Back face</source>
+            <translation>Face arrière</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6221,6 +6211,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Full width and height of the screen. The target fills it.</source>
+            <translation>Largeur et hauteur totales de l'écran. La cible le remplit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Pixels</source>
             <translation>Pixels</translation>
         </message>
@@ -6248,6 +6243,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Half of the angles that it covers to the right and upwards. The target fills it.</source>
             <translation>La moitié des angles qu'il couvre à droite et vers le haut. La cible le remplit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angles that it covers across and upwards. The target fills it.</source>
+            <translation>Angles totaux qu'il couvre en largeur et en hauteur. La cible le remplit.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6543,11 +6543,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
             <translation>La lumière décroît sur quelques pixels, de sorte qu'une conception sent où un rayon tombe dans un pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Size</source>
-            <translation>Taille</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9571,8 +9566,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
-            <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
-            <translation>{length:g} est trop long pour une demi-largeur de {half:g} ; au plus {most:g}</translation>
+            <source>{length:g} is too long beside a width of {width:g}; at most {most:g}</source>
+            <translation>{length:g} est trop long pour une largeur de {width:g} ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/losses.py" />
@@ -9691,23 +9686,23 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour une lentille de demi-largeur {size:g} ; au moins {least:g}</translation>
+            <source>{way:g} before {front} is too near for a lens that is {width:g} wide; at least {least:g}</source>
+            <translation>{way:g} devant ({front}) est trop près pour une lentille large de {width:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour un miroir de demi-largeur {size:g} ; au moins {least:g}</translation>
+            <source>{way:g} before {front} is too near for a mirror that is {width:g} wide; at least {least:g}</source>
+            <translation>{way:g} devant ({front}) est trop près pour un miroir large de {width:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour une lentille de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+            <source>{way:g} before {front} is too far for a lens that is {width:g} wide; at most {most:g}, or collimated light</source>
+            <translation>{way:g} devant ({front}) est trop loin pour une lentille large de {width:g} ; au plus {most:g}, ou une lumière collimatée</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
-            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+            <source>{way:g} before {front} is too far for a mirror that is {width:g} wide; at most {most:g}, or collimated light</source>
+            <translation>{way:g} devant ({front}) est trop loin pour un miroir large de {width:g} ; au plus {most:g}, ou une lumière collimatée</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/source.py" />
@@ -9731,13 +9726,13 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />
-            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour une lentille de demi-largeur {half:g} ; au moins {least:g}</translation>
+            <source>{radius:g} is too narrow for a lens that is {width:g} wide; at least {least:g}</source>
+            <translation>{radius:g} est trop étroit pour une lentille large de {width:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />
-            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
+            <source>{radius:g} is too narrow for a mirror that is {width:g} wide; at least {least:g}</source>
+            <translation>{radius:g} est trop étroit pour un miroir large de {width:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/sources.py" />

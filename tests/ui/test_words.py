@@ -95,13 +95,13 @@ def test_the_system_chooses_the_first_language_that_there_is(monkeypatch, wanted
 @pytest.mark.parametrize(
     ("language", "menu", "check", "dock", "field", "cancel"),
     [
-        ("de", "&Datei", "Linse p&rüfen", "Bestrahlungsstärke", "Halbbreite", "Abbrechen"),
+        ("de", "&Datei", "Linse p&rüfen", "Bestrahlungsstärke", "Größe", "Abbrechen"),
         (
             "fr",
             "&Fichier",
             "Vérifier la &lentille",
             "Éclairement énergétique",
-            "Demi-largeur",
+            "Taille",
             "Annuler",
         ),
     ],

@@ -1,12 +1,10 @@
 """Numbers of a row that change in proportion as its label is dragged."""
 
+from collections.abc import Callable, Mapping
 from itertools import count
-from typing import TYPE_CHECKING
 
+from ui.widgets.labels import DragLabel
 from workbench.scene import FieldDescription
-
-if TYPE_CHECKING:
-    from ui.panels.fields import NumberRow
 
 _PART = 1.01  # by which a number grows with each pixel
 _STEP, _WHOLE_STEP = 0.01, 0.1  # by which 0 does
@@ -15,27 +13,36 @@ _drags = count()
 
 
 class Dragging:
-    """Drags on the label of a row: all its numbers but zeros change, the last one if all are."""
+    """Drags on the label of a row: all its numbers but zeros change, the last one if all are.
 
-    def __init__(self, row: "NumberRow") -> None:
-        self._row, self._key = row, ""
-        self._start: dict[str, float] = {}
-        row.label.allow_drag()
-        row.label.begun.connect(self._begin)
-        row.label.dragged.connect(self._drag)
-        row.label.cancelled.connect(lambda: row.change(self._start, self._key))
+    ``values`` gives the numbers of the scene by their paths, ``change`` takes others and a name of
+    the drag.
+    """
+
+    def __init__(
+        self,
+        label: DragLabel,
+        field: FieldDescription,
+        values: Callable[[], Mapping[str, float]],
+        change: Callable[[Mapping[str, float], str], None],
+    ) -> None:
+        self._field, self._values, self._change, self._key = field, values, change, ""
+        self._start: Mapping[str, float] = {}
+        label.allow_drag()
+        label.begun.connect(self._begin)
+        label.dragged.connect(self._drag)
+        label.cancelled.connect(lambda: self._change(self._start, self._key))
 
     def _begin(self) -> None:
-        self._key = f"label {next(_drags)}"
-        values = {path: value for path, value in self._row.values.items() if value is not None}
-        self._start = {path: value for path, value in values.items() if value}
-        if values and not self._start:
-            self._start = dict([values.popitem()])
+        self._key, values = f"label {next(_drags)}", self._values()
+        self._start = {path: value for path, value in values.items() if value} or {
+            path: values[path] for path in list(values)[-1:]
+        }
 
     def _drag(self, by: float) -> None:
-        field = self._row.field
-        changes = {path: dragged(value, by, field) for path, value in self._start.items()}
-        self._row.change(changes, self._key)
+        start = self._start.items()
+        changes = {path: dragged(value, by, self._field) for path, value in start}
+        self._change(changes, self._key)
 
 
 def dragged(value: float, by: float, field: FieldDescription) -> float:

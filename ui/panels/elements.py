@@ -21,6 +21,7 @@ from workbench.scene import (
     GaussianScatter,
     Kinds,
     Lens,
+    Measure,
     Mirror,
     Part,
     PlacedFace,
@@ -90,16 +91,11 @@ class ElementsPanel(ListedPanel[AnyElement]):
             replace(field, title=tr("Optical train")),
             "elements",
             tr("element"),
-            (
-                tr("Add a plano-convex lens of fixed shape behind the last element"),
-                tr("Add a plane mirror behind the last element"),
-                tr("Add a diffuser behind the last element"),
-                tr("Add a copy of the selected element behind the last element"),
-                tr("Remove the selected element"),
-                tr("Swap the selected element with the previous one, positions included"),
-                tr("Swap the selected element with the next one, positions included"),
-            ),
-            (tr("Add lens"), tr("Add mirror"), tr("Add diffuser")),
+            {
+                tr("Add lens"): tr("Add a plano-convex lens of fixed shape behind the others"),
+                tr("Add mirror"): tr("Add a plane mirror behind the others"),
+                tr("Add diffuser"): tr("Add a diffuser behind the others"),
+            },
         )
 
     def parts_of(self, scene: Scene) -> tuple[AnyElement, ...]:
@@ -211,6 +207,7 @@ class _ElementRows(Rows):
             read=lambda scene: _range(scene, path),
             changes=lambda choice: self._change_range(choice, path),
         )
+        choice.measure = Measure()  # of words
         tip = tr(
             "Bounds of the control heights relative to the base, down and up. Wider bounds allow "
             "larger deflection."

@@ -9,11 +9,11 @@ from operator import attrgetter
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from ui.panels.dragging import Dragging
 from ui.panels.editors import NumberEditor, Refusal, TextEditor
-from ui.panels.edits import Edit, Typed, holder_of
+from ui.panels.edits import Edit, holder_of
 from ui.widgets import theme
 from ui.widgets.controls import Chooser, filled
 from ui.widgets.labels import DragLabel
@@ -165,8 +165,8 @@ class NumberRow(Row):
         count = field.count
         paths = [f"{path}[{k}]" for k in range(count)] if count > 1 else [path]
         self.editors = {p: NumberEditor(field) for p in paths}
-        self.values: dict[str, float | None] = {}  # in the scene
-        Dragging(self)
+        self._values: dict[str, float] = {}  # of the scene
+        self._dragging = Dragging(self.label, field, lambda: self._values, self._change_numbers)
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(tr(self.between)), 0)
@@ -182,8 +182,9 @@ class NumberRow(Row):
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         super().show_scene(scene, pending)
-        for path, editor in self.editors.items():
-            self.values[path] = value = self._value(scene, path)
+        values = {path: self._value(scene, path) for path in self.editors}
+        self._values = {path: value for path, value in values.items() if value is not None}
+        for (path, editor), value in zip(self.editors.items(), values.values(), strict=True):
             if not pending & {path, self.path}:
                 text = "" if value is None else format(self.field.times * value, ".12g")
                 editor.show_value(text)
@@ -192,84 +193,12 @@ class NumberRow(Row):
         value: float | None = value_at(scene, path)
         return value
 
-    def change(self, values: Mapping[str, float], drag: str) -> None:
-        """Put numbers of the scene in place of others, as part of a drag."""
+    def _change_numbers(self, values: Mapping[str, float], drag: str) -> None:
         if values:
             self._emit_edit(self.path, {**values}, drag)
 
     def _commit(self, path: str, text: str) -> None:
         self._emit_edit(path, {path: self.editors[path].typed(text)})
-
-
-class TextRow(Row):
-    """One line of text, with an optional button to choose it."""
-
-    asked = Signal()
-
-    def __init__(self, field: FieldDescription, path: str, button_tip: str = "") -> None:
-        super().__init__(field, path)
-        self.editor = TextEditor()
-        self._add(self.editor)
-        if button_tip:
-            button = QToolButton()
-            button.setText("…")
-            button.setToolTip(button_tip)
-            button.setAccessibleName(button_tip)
-            button.clicked.connect(self.asked)
-            self._add(button, 0)
-        self.editor.committed.connect(
-            lambda text: self._emit_edit(path, {path: self.value_of(text)})
-        )
-        self.editor.reverted.connect(lambda: self.reverted.emit(path))
-
-    def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        super().show_scene(scene, pending)
-        if self.path not in pending:
-            self.editor.show_value(self.text_of(value_at(scene, self.path)))
-            self.editor.end(False)
-
-    def text_of(self, value: Any) -> str:
-        text: str = value or ""
-        return text
-
-    def value_of(self, text: str) -> object:
-        return None if self.field.optional and not text.strip() else text
-
-    def _is_there(self, scene: Any) -> bool:
-        if self.field.optional:
-            return holder_of(scene, self.path)[0] is not None
-        return super()._is_there(scene)
-
-
-class NumbersRow(TextRow):
-    """Numbers in one line, separated by semicolons."""
-
-    def text_of(self, value: Any) -> str:
-        return "; ".join(format(number, ".12g") for number in value)
-
-    def value_of(self, text: str) -> object:
-        return [Typed(each, self.measure) for each in text.split(";") if text.strip()]
-
-
-class PairsRow(TextRow):
-    """Any number of pairs of numbers as one line, with a semicolon between pairs."""
-
-    def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        super().show_scene(scene, pending)
-        if self.path not in pending:
-            self.editor.home(False)
-
-    def text_of(self, value: Any) -> str:
-        return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value or ())
-
-    def value_of(self, text: str) -> object:
-        """The pairs; the text itself where it has others, which the scene refuses."""
-        if self.field.optional and not text.strip():
-            return None
-        try:
-            return [[float(number) for number in pair.split(",")] for pair in text.split(";")]
-        except ValueError:
-            return text
 
 
 class ChoiceRow(Row):

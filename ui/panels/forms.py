@@ -1,38 +1,27 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
-from collections.abc import Container, Sequence
 from functools import partial
-from itertools import pairwise
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt, Signal
-from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
-from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
 
 from ui.document.document import Document
+from ui.panels.area import FormArea
 from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.elements import ElementsPanel
 from ui.panels.entries import Entries, Waiting, row_of
-from ui.panels.fields import Row
 from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.scene import RunPanel, ScenePanel, SourcePanel, StagesPanel
-from ui.widgets.controls import STRETCH, filled
-from ui.widgets.folds import Fold
-from ui.widgets.labels import WrappedLabel
-from ui.widgets.search import SearchLine
-from ui.words import error_text, later, tr
+from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.levels import Level
 from workbench.scene import Image, ImageTarget, Scene
 
-_GROUPS = later({Level.LIMITS: "Limits", Level.EXPERT: "Expert"})
-_MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
 
-
-class Forms(QScrollArea):
-    """All panels, below each other."""
+class Forms(FormArea):
+    """All panels of a scene."""
 
     message = Signal(str)
     file_refused = Signal(str)
@@ -42,19 +31,16 @@ class Forms(QScrollArea):
     refusals_changed = Signal()
 
     def __init__(self, document: Document) -> None:
-        super().__init__()
+        super().__init__(self._make_panels())
         self._document = document
         self._entries = Entries(self._make)
         self._pending = self._entries.waiting
         self._refusals: tuple[str, ...] = ()
         self._editing = self._running = False
         self._run_hint = ""
-        self._ordered: list[Row] = []
         self._later: list[Edit] = []  # made during a run
         self._next: Session | None = None  # with these
-        self.panels = self._make_panels()
         self._chooser: TargetPanel | ImagesPanel = self._target
-        self._lay_out()
         for panel in self.panels:
             panel.edited.connect(self.edit)
             panel.reverted.connect(self._revert)
@@ -68,11 +54,6 @@ class Forms(QScrollArea):
         self._escape.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self._escape.activated.connect(self.revert_all)
         self._escape.setEnabled(False)
-        self._search.textChanged.connect(lambda _: self._show())
-        self._search.returnPressed.connect(self._focus_first)
-        find = QShortcut(QKeySequence(QKeySequence.StandardKey.Find), self)
-        find.setContext(Qt.ShortcutContext.WindowShortcut)
-        find.activated.connect(self.search)
         self._show()
 
     def _make_panels(self) -> list[Panel]:
@@ -96,72 +77,6 @@ class Forms(QScrollArea):
             regions,
             StagesPanel(),
         ]
-
-    def _lay_out(self) -> None:
-        self._hint = WrappedLabel()
-        self._hint.setObjectName("hint")
-        self._hint.hide()
-        self._nothing = WrappedLabel(tr("No field matches."))
-        self._nothing.setObjectName("hint")
-        self._groups = {level: Fold(tr(title)) for level, title in _GROUPS.items()}
-        for level, group in self._groups.items():
-            sections = [panel.deeper[level] for panel in self.panels]
-            filled(QVBoxLayout(group.body), *sections, margins=0, spacing=0)
-            group.unfold(False)
-        labels = [row.label.sizeHint().width() for row in self._rows() if row.level is Level.JOB]
-        for panel in self.panels:
-            panel.align(max(labels))
-        self._content = QWidget()
-        parts = (self._hint, self._nothing, *self.panels, *self._groups.values(), STRETCH)
-        filled(QVBoxLayout(self._content), *parts, margins=0, spacing=0)
-        self.setWidget(self._content)
-        tip = tr("Search all fields by name, explanation or path in files (Ctrl+F)")
-        self._search = SearchLine(tr("Search fields"), tip)
-        self._bar = QWidget(self)
-        filled(QVBoxLayout(self._bar), self._search, margins=8)
-        self.setViewportMargins(0, self._bar.sizeHint().height(), 0, 0)
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Set the minimum width to that of the rows, limited by the screen."""
-        super().showEvent(event)
-        rows = self._content.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
-        self.setMinimumWidth(
-            min(rows, int(_MOST_OF_SCREEN * self.screen().availableSize().width()))
-        )
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._bar.setGeometry(0, 0, self.width(), self._bar.sizeHint().height())
-
-    def remember(self, settings: QSettings) -> None:
-        """Unfold the groups that were unfolded before, and keep what is folded from now on."""
-        for level, group in self._groups.items():
-            key = f"form/{level.name.lower()}"
-            group.unfold(settings.value(key, False, bool))
-            group.unfolded.connect(partial(settings.setValue, key))
-
-    def search(self) -> None:
-        """Move the keyboard focus to the line that searches."""
-        self._search.setFocus(Qt.FocusReason.ShortcutFocusReason)
-        self._search.selectAll()
-
-    def reveal(self, row: Row) -> None:
-        """Unfold what holds a row, and scroll to it."""
-        for panel in self.panels:
-            if row in panel.rows:
-                self._groups.get(row.level, panel).unfold(True)
-        if row.isHidden():
-            self._search.clear()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)  # type: ignore[call-overload]
-        self.ensureWidgetVisible(row)
-
-    def _focus_first(self) -> None:
-        row = next((row for row in self._in_order() if not row.isHidden()), None)
-        if row is not None:
-            self.reveal(row)
-            row.setFocus()
 
     @property
     def refused(self) -> bool:
@@ -369,8 +284,7 @@ class Forms(QScrollArea):
         for panel in self.panels:
             panel.show_session(session, set(present), self._pending.keys())
         reasons = self._entries.reasons(present)
-        self._show_rows(present, reasons)
-        self._note_changes(present, session.scene)
+        self.show_rows(present, reasons.keys(), session.scene)
         edited = [row for path in self._pending if (row := row_of(path, present)) is not None]
         refusals = [f"{row.name}: {reasons[row]}" for row in edited]
         for panel in self.panels:
@@ -381,50 +295,6 @@ class Forms(QScrollArea):
             self._escape.setEnabled(bool(refusals))
             self.refusals_changed.emit()
 
-    def _show_rows(self, present: Sequence[Row], refused: Container[Row]) -> None:
-        """Show the rows that the search finds, and all that are refused."""
-        words = self._search.words
-        shown = {row for row in present if row.matches(words) or row in refused}
-        self._nothing.setVisible(not shown)
-        for panel in self.panels:
-            panel.show_rows(shown)
-            to_blame = any(row in refused and row.level is Level.JOB for row in panel.rows)
-            panel.force(bool(words) or to_blame)
-        for level, group in self._groups.items():
-            inside = [row for row in shown if row.level is level]
-            group.setVisible(bool(inside))
-            group.force(bool(words) or any(row in refused for row in inside))
-        if (order := self._in_order()) != self._ordered:
-            self._ordered = order
-            self._put_in_tab_order()
-
-    def _note_changes(self, present: Sequence[Row], scene: Scene) -> None:
-        for level, group in self._groups.items():
-            changed = {
-                row.path: row for row in present if row.level is level and row.changed(scene)
-            }
-            note = tr("{count} changed").format(count=len(changed)) if changed else ""
-            group.note(note, "\n".join(row.name for row in changed.values()))
-
-    def _in_order(self) -> list[Row]:
-        return sorted(self._rows(), key=lambda row: row.level)
-
-    def _put_in_tab_order(self) -> None:
-        """Let Tab reach all rows as they stand; those made later would come last."""
-        stops = [
-            widget
-            for row in self._ordered
-            for widget in row.findChildren(QWidget)
-            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
-            and widget.focusProxy() is None
-            and widget.window() is self.window()  # not the lists that choosers open
-        ]
-        for before, after in pairwise([self._search, *stops]):
-            self.setTabOrder(before, after)
-
     def _show_hint(self) -> None:
         self._hint.setText(self.postponed_text if self._later else self._run_hint)
         self._hint.setVisible(self._running)
-
-    def _rows(self) -> list[Row]:
-        return [row for panel in self.panels for row in panel.rows]

@@ -9,9 +9,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QImage
 
 from ui.panels.edits import Edit
-from ui.panels.fields import PairsRow, Row
+from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
 from ui.panels.rows import Make, Rows, connect_asked, file_rows
+from ui.panels.text_rows import PairsRow
 from ui.widgets.native import ScaledImage
 from ui.words import in_sentence, tr
 from workbench.arrays import Array
@@ -37,7 +38,7 @@ _ENDINGS = (
 )
 _OF_LIGHT = ".npy", ".exr", ".hdr"  # whose numbers are light itself
 
-_HEIGHT = 110  # logical pixels of a thumbnail
+_HEIGHT = 96  # logical pixels of a thumbnail
 
 
 def image_files() -> str:
@@ -120,13 +121,7 @@ class ImagesPanel(ListedPanel[Image]):
             field,
             "images",
             tr("image"),
-            (
-                tr("Add an image farther away, with the target of the last one"),
-                tr("Add a copy of the selected image"),
-                tr("Remove the selected image"),
-                tr("Move the selected image up"),
-                tr("Move the selected image down"),
-            ),
+            {tr("Add"): tr("Add an image farther away, with the target of the last one")},
         )
 
     def parts_of(self, scene: Scene) -> tuple[Image, ...]:
@@ -192,13 +187,7 @@ class RegionsPanel(ListedPanel[AnyRegion]):
             replace(field, title=tr("Regions")),
             "regions",
             tr("region"),
-            (
-                tr("Add a region in the middle"),
-                tr("Add a copy of the selected region"),
-                tr("Remove the selected region"),
-                tr("Move the selected region up"),
-                tr("Move the selected region down"),
-            ),
+            {tr("Add"): tr("Add a region in the middle")},
         )
 
     def parts_of(self, scene: Scene) -> tuple[AnyRegion, ...]:

@@ -2,7 +2,7 @@
 
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import partial
 from itertools import count
 from typing import Any, Generic, TypeVar
@@ -21,7 +21,7 @@ from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows, at_least
-from ui.widgets.controls import filled
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.folds import Fold, Section, form_in
 from ui.words import in_sentence, tr
 from workbench.files.session import Session
@@ -74,9 +74,10 @@ class Panel(Fold):
         """Show some rows, and no heading without any."""
         for row in self.rows:
             self._form_of(row).setRowVisible(row, row in shown)
-        self.setVisible(any(row.level is Level.JOB for row in shown.intersection(self.rows)))
+        levels = {row.level for row in self.rows if row in shown}
+        self.setVisible(Level.JOB in levels)
         for level, section in self.deeper.items():
-            section.setVisible(any(row.level is level for row in shown.intersection(self.rows)))
+            section.setVisible(level in levels)
 
     def align(self, width: int) -> None:
         self._label_width = width
@@ -141,8 +142,7 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 class ListedPanel(Panel, Generic[AnyPart]):
     """A list of parts at a path, with buttons; below it the rows of the selected part.
 
-    ``called`` is the name of a part, ``tips`` are those of the buttons, ``adding`` texts of the
-    buttons that add parts.
+    ``called`` is the name of a part, ``adding`` has the buttons that add parts, with their tips.
     """
 
     def __init__(
@@ -151,12 +151,11 @@ class ListedPanel(Panel, Generic[AnyPart]):
         field: FieldDescription,
         path: str,
         called: str,
-        tips: Sequence[str],
-        adding: Sequence[str] = (),
+        adding: Mapping[str, str],
     ) -> None:
         self._bound = -1  # the part whose rows are there
         self._called = ""  # in their names
-        self.list = PartList(self, field, path, called, tips, adding)
+        self.list = PartList(self, field, path, called, adding)
         super().__init__(title, [self.list], field.level)
         self.list.chosen.connect(self._choose)
 
@@ -164,7 +163,7 @@ class ListedPanel(Panel, Generic[AnyPart]):
         self._session = session
         parts = self.parts_of(session.scene)
         self.list.show_parts(parts, self.remark(session.scene))
-        self.note(f"({len(parts)})" if parts else "")
+        self.note(f"{len(parts)}" if parts else "")
         self._bind(self.list.current)
 
     @abstractmethod
@@ -218,6 +217,8 @@ class ListedPanel(Panel, Generic[AnyPart]):
         elif name != self._called:
             self._name_rows(self.rows[1:], name)
         self._called = name
+        for section in self.deeper.values():
+            section.heading.setText(f"{self.title} · {name}" if name else self.title)
 
 
 class PartList(Row):
@@ -231,8 +232,7 @@ class PartList(Row):
         field: FieldDescription,
         path: str,
         called: str,
-        tips: Sequence[str],
-        adding: Sequence[str],
+        adding: Mapping[str, str],
     ) -> None:
         super().__init__(field, path)
         self.label.setParent(self)
@@ -245,24 +245,21 @@ class PartList(Row):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
         self._rest = Wrapped()
-        adding = adding or (tr("Add"),)
-        texts = (*adding, tr("Duplicate"), tr("Remove"), tr("Up"), tr("Down"))
-        actions: tuple[Callable[[], None], ...] = (
-            *(partial(self._append, which) for which in range(len(adding))),
-            self._duplicate,
-            self._drop,
-            partial(self._move, -1),
-            partial(self._move, 1),
-        )
-        buttons = [
-            _button(text, tip, act) for text, tip, act in zip(texts, tips, actions, strict=True)
+        adders = [
+            _button(text, tip, partial(self._append, which))
+            for which, (text, tip) in enumerate(adding.items())
         ]
-        self._of_chosen = buttons[len(adding) :]
-        lines = [buttons] if len(adding) == 1 else [buttons[: len(adding)], self._of_chosen]
+        self._of_chosen = [
+            _button(tr("Duplicate"), tr("Add a copy of the selected one"), self._duplicate),
+            _button(tr("Remove"), tr("Remove the selected one"), self._drop),
+            _button(tr("Up"), tr("Move the selected one up"), partial(self._move, -1)),
+            _button(tr("Down"), tr("Move the selected one down"), partial(self._move, 1)),
+        ]
+        self._fewest = 1 if len(adders) > 1 else 0  # parts but one, among which to choose
         content = QWidget()
-        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=3)
-        for line in lines:
-            column.addLayout(_side_by_side(line))
+        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=4)
+        for line in (adders, self._of_chosen):
+            column.addLayout(filled(QHBoxLayout(), *line, STRETCH, spacing=4))
         self._add(content)
         self.setFocusProxy(self._list)
 
@@ -299,9 +296,9 @@ class PartList(Row):
 
     def _enable(self) -> None:
         current, last = self.current, len(self._parts) - 1
-        duplicate, remove, up, down = self._of_chosen
-        duplicate.setEnabled(last >= 0)
-        remove.setEnabled(last >= 0)
+        for button in self._of_chosen:
+            button.setVisible(last >= self._fewest)
+        *_, up, down = self._of_chosen
         up.setEnabled(current > 0)
         down.setEnabled(0 <= current < last)
 
@@ -366,12 +363,3 @@ def _button(text: str, tip: str, act: Callable[[], None]) -> QToolButton:
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # typed text is entered before it acts
     button.clicked.connect(lambda _: act())
     return button
-
-
-def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
-    line = QHBoxLayout()
-    line.setSpacing(2)
-    for button in buttons:
-        line.addWidget(button)
-    line.addStretch()
-    return line

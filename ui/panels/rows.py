@@ -14,13 +14,11 @@ from ui.panels.fields import (
     ChoiceRow,
     Condition,
     NumberRow,
-    NumbersRow,
     OptionalRow,
-    PairsRow,
     Row,
-    TextRow,
     described,
 )
+from ui.panels.text_rows import NumbersRow, PairsRow, TextRow
 from ui.words import in_sentence, tr
 from workbench.design.task import LARGEST_PICTURE
 from workbench.levels import Level
@@ -95,7 +93,8 @@ class Rows:
         if kinds := field.mark(Kinds):
             choice, *rows = self.of_kinds(field, kinds, path)
             for row in rows:
-                row.indent()
+                if row.level >= choice.level:  # else it stands elsewhere
+                    row.indent()
             return [choice, *rows]
         if field.parts:
             return self.of_part(field.parts[0], path)
@@ -106,8 +105,9 @@ class Rows:
         choice, *rows = self.of_field(member, f"{path}[{number}]")
         for row in rows:
             row.of = tr(member.title)
-            if row.level < choice.level:  # which then stands elsewhere
-                row.label.setText(_named(row.of, row.label.text()))
+            if row.level < choice.level:
+                field_of = {"panel": row.of, "field": in_sentence(row.label.text())}
+                row.label.setText(tr("{panel} {field}").format(**field_of))
                 row.of = ""
         return [choice, *rows]
 
@@ -208,10 +208,6 @@ def at_least(level: Level, rows: list[Row]) -> list[Row]:
     for row in rows:
         row.level = max(row.level, level)
     return rows
-
-
-def _named(part: str, field: str) -> str:
-    return tr("{panel} {field}").format(panel=part, field=in_sentence(field))
 
 
 def connect_asked(rows: Iterable[Row], ask: Callable[[], object]) -> None:

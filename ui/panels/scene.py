@@ -44,7 +44,7 @@ def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class _UnitRow(ChoiceRow):
-    def _emit_edit(self, path: str, changes: Changes) -> None:
+    def _emit_edit(self, path: str, changes: Changes, drag: str = "") -> None:
         # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
         unit = self.chooser.currentData()
         self.edited.emit(Edit(path, tr("change of unit"), {}, alone=True, unit=unit))
@@ -141,13 +141,7 @@ class StagesPanel(ListedPanel[Stage]):
             described(tr("Stages"), tip, str, Level.EXPERT),
             "run.stages",
             tr("stage"),
-            (
-                tr("Add a stage behind the others"),
-                tr("Add a copy of the selected stage"),
-                tr("Remove the selected stage"),
-                tr("Run the selected stage earlier"),
-                tr("Run the selected stage later"),
-            ),
+            {tr("Add"): tr("Add a stage behind the others")},
         )
 
     def parts_of(self, scene: Scene) -> tuple[Stage, ...]:

@@ -29,7 +29,7 @@ class Fold(QWidget):
 
     def note(self, text: str, tip: str = "") -> None:
         """Show a short text behind the title."""
-        self._heading.setText(f"{self.title}   {text}" if text else self.title)
+        self._heading.setText(f"{self.title} · {text}" if text else self.title)
         self._heading.setToolTip(tip)
 
     def unfold(self, unfolded: bool) -> None:
@@ -62,7 +62,7 @@ class Section(QWidget):
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        heading, body = QLabel(title), QWidget()
-        heading.setObjectName("section")
+        self.heading, body = QLabel(title), QWidget()
+        self.heading.setObjectName("section")
         self.form = form_in(body)
-        filled(QVBoxLayout(self), heading, body, margins=0, spacing=0)
+        filled(QVBoxLayout(self), self.heading, body, margins=0, spacing=0)

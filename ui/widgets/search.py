@@ -20,6 +20,11 @@ class SearchLine(QLineEdit):
         """What is searched, in small letters."""
         return self.text().casefold().split()
 
+    def begin(self) -> None:
+        """Move the keyboard focus here, to search for something else."""
+        self.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.selectAll()
+
     def event(self, event: QEvent) -> bool:
         """Take Escape from the window while there is text."""
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape and self.text():

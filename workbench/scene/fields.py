@@ -292,6 +292,10 @@ class FieldDescription:
 
     def bounds(self, times: float = 1.0) -> tuple[str, ...]:
         """Return the sentence of `limits`, one of `BOUNDS`, and its numbers, multiplied."""
+
+        def ended(end: Any) -> str:
+            return f"{times * end:.10g}"
+
         marks = self.all_marks
         above = until = False
         low, high = "", ""
@@ -299,13 +303,13 @@ class FieldDescription:
         for mark in marks:
             match mark:
                 case annotated_types.Ge(ge=end):
-                    low = f"{times * end:.10g}"
+                    low = ended(end)
                 case annotated_types.Gt(gt=end):
-                    low, above = f"{times * end:.10g}", True
+                    low, above = ended(end), True
                 case annotated_types.Le(le=end):
-                    high, most = f"{times * end:.10g}", end
+                    high, most = ended(end), end
                 case annotated_types.Lt(lt=end):
-                    high, most, until = f"{times * end:.10g}", end, True
+                    high, most, until = ended(end), end, True
         return (BOUNDS[above, until], low, high) if low and 0 < most < _FAR else ("",)
 
 

@@ -2,9 +2,10 @@
 
 from typing import Annotated, Literal
 
-from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, OptionalRow, TextRow
+from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, OptionalRow
 from ui.panels.panel import Panel
 from ui.panels.rows import value_row
+from ui.panels.text_rows import TextRow
 from workbench.scene import LENGTH, Scene
 from workbench.scene.fields import PLACE, Choices, Measure, about
 from workbench.scene.part import Part, Positive

@@ -1,0 +1,84 @@
+"""Rows of text: one line, or numbers written as one."""
+
+from collections.abc import Set
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QToolButton
+
+from ui.panels.editors import TextEditor
+from ui.panels.edits import Typed, holder_of
+from ui.panels.fields import Row
+from workbench.scene import FieldDescription
+from workbench.scene.paths import value_at
+
+
+class TextRow(Row):
+    """One line of text, with an optional button to choose it."""
+
+    asked = Signal()
+
+    def __init__(self, field: FieldDescription, path: str, button_tip: str = "") -> None:
+        super().__init__(field, path)
+        self.editor = TextEditor()
+        self._add(self.editor)
+        if button_tip:
+            button = QToolButton()
+            button.setText("…")
+            button.setToolTip(button_tip)
+            button.setAccessibleName(button_tip)
+            button.clicked.connect(self.asked)
+            self._add(button, 0)
+        self.editor.committed.connect(
+            lambda text: self._emit_edit(path, {path: self.value_of(text)})
+        )
+        self.editor.reverted.connect(lambda: self.reverted.emit(path))
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        super().show_scene(scene, pending)
+        if self.path not in pending:
+            self.editor.show_value(self.text_of(value_at(scene, self.path)))
+            self.editor.end(False)
+
+    def text_of(self, value: Any) -> str:
+        text: str = value or ""
+        return text
+
+    def value_of(self, text: str) -> object:
+        return None if self.field.optional and not text.strip() else text
+
+    def _is_there(self, scene: Any) -> bool:
+        if self.field.optional:
+            return holder_of(scene, self.path)[0] is not None
+        return super()._is_there(scene)
+
+
+class NumbersRow(TextRow):
+    """Numbers in one line, separated by semicolons."""
+
+    def text_of(self, value: Any) -> str:
+        return "; ".join(format(number, ".12g") for number in value)
+
+    def value_of(self, text: str) -> object:
+        return [Typed(each, self.measure) for each in text.split(";") if text.strip()]
+
+
+class PairsRow(TextRow):
+    """Any number of pairs of numbers as one line, with a semicolon between pairs."""
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        super().show_scene(scene, pending)
+        if self.path not in pending:
+            self.editor.home(False)
+
+    def text_of(self, value: Any) -> str:
+        return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value or ())
+
+    def value_of(self, text: str) -> object:
+        """The pairs; the text itself where it has others, which the scene refuses."""
+        if self.field.optional and not text.strip():
+            return None
+        try:
+            return [[float(number) for number in pair.split(",")] for pair in text.split(";")]
+        except ValueError:
+            return text
