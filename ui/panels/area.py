@@ -129,8 +129,8 @@ class FormArea(QScrollArea):
         """Let Tab reach all rows as they stand; those made later would come last."""
         stops = [
             widget
-            for row in self._ordered
-            for widget in row.findChildren(QWidget)
+            for fold in (*self.panels, *self._groups.values())
+            for widget in fold.findChildren(QWidget)
             if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
             and widget.focusProxy() is None
             and widget.window() is self.window()  # not the lists that choosers open
