@@ -28,7 +28,7 @@ _SMALLER = 0.85  # numbers, relative to other text
 _BACKING, _HALO = 175, 110  # of 255: opacity behind numbers, and around lines
 _WIDE, _HIGH = 12, 4  # distance of ticks, in characters and lines
 _FEWEST = 2  # such distances on an image with numbers
-_DOT = 2.5  # pixels
+_DOT, _DASH = 2.5, 5.0  # pixels
 _POINT = 4 / 3  # pixels
 
 _UP, _RIGHT, _LEFT = QPointF(0, -1), QPointF(1, 0), QPointF(-1, 0)
@@ -45,10 +45,11 @@ class Overlays:
         colours = axes.images[0].get_cmap()(np.linspace(1, 0, 256)[:, None], bytes=True)
         self._colours = rgb_image(np.asarray(colours))
         self._hatches = [(_outlines(each), _colour(each)) for each in axes.collections]
-        self._taken: list[QRectF] = []  # by numbers and names
+        self._taken: list[QRectF] = []  # by texts
 
     def paint_marks(self, painter: QPainter, to_pixels: QTransform) -> None:
         """Paint hatches, lines and texts that lie at places of the image."""
+        self._taken = []
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for outlines, colour in self._hatches:
             painter.fillPath(to_pixels.map(outlines), QBrush(colour, Qt.BrushStyle.BDiagPattern))
@@ -72,7 +73,6 @@ class Overlays:
         wide, high = _WIDE * metrics.averageCharWidth(), _HIGH * metrics.height()
         if space.width() < _FEWEST * wide or space.height() < _FEWEST * high:
             return
-        self._taken = []
         x, y = self._axes.xaxis, self._axes.yaxis
         self._name(painter, x.get_label_text(), space.bottomRight(), (-1, -1))
         self._name(painter, y.get_label_text(), space.topLeft(), (0, 0))
@@ -123,12 +123,11 @@ class Overlays:
 
     def _paint_line(self, painter: QPainter, line: Line2D, places: QPolygonF) -> None:
         colour, width = QColor(to_hex(line.get_color())), _POINT * line.get_linewidth()
-        painter.setPen(QPen(self._halo, width + 2))
-        painter.drawPolyline(places)
-        dashed = line.get_linestyle() == "--"
-        pen = QPen(colour, width, Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine)
-        painter.setPen(pen)
-        painter.drawPolyline(places)
+        for pen in (QPen(self._halo, width + 2), QPen(colour, width)):
+            if line.get_linestyle() == "--":
+                pen.setDashPattern([_DASH / pen.widthF()] * 2)
+            painter.setPen(pen)
+            painter.drawPolyline(places)
         if line.get_marker() == "o":
             painter.setBrush(colour)
             for place in places.toList():

@@ -7,7 +7,7 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QSinglePointEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
@@ -49,7 +49,8 @@ class ImageView(PlotView):
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
-        self.setMinimumWidth(min(_NARROWEST, self.screen().availableSize().width() // _BESIDE))
+        narrowest = min(_NARROWEST, self.screen().availableSize().width() // _BESIDE)
+        self._canvas.setMinimumWidth(narrowest)
         self._values: Array | None = None
         self._pointed: Place | None = None
         self._pointer: QPointF | None = None  # while the mouse is on this image
@@ -57,9 +58,9 @@ class ImageView(PlotView):
         self._dragged = False
         self._look = self._options()
         self._stated = ""
-        self._readout = _Readout()
+        self._readout = ElidedLabel()
+        self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._readout.setAccessibleName(tr("Value under the pointer"))
-        self._readout.resized.connect(self._read)
         row = QWidget()
         row.setFixedHeight(QComboBox().sizeHint().height() + _AROUND)
         self._bottom = filled(QHBoxLayout(row), (self._readout, 1), margins=(6, 0, 6, 0))
@@ -78,6 +79,10 @@ class ImageView(PlotView):
         elif isinstance(event, QSinglePointEvent) and self._shown is not None:
             self._follow_mouse(event)
         return super().eventFilter(watched, event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._read()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self._shown is None or event.modifiers() & COMMANDS:
@@ -165,7 +170,7 @@ class ImageView(PlotView):
             x, y = self._pointed
             pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is None or self._values is None:
-            self._readout.show_widest(*self._at_rest(self._shown))
+            texts = self._at_rest(self._shown)
         else:
             value = written(self._values[pixel], self._unit(self._shown))
             if np.isnan(self._values[pixel]):
@@ -174,7 +179,9 @@ class ImageView(PlotView):
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
             short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
-            self._readout.show_widest(whole, short, value)
+            texts = whole, short, value
+        width, wide = self._readout.width(), self._readout.fontMetrics().horizontalAdvance
+        self._readout.setText(next((text for text in texts if wide(text) <= width), texts[-1]))
 
     def _state(self, text: str) -> None:
         """Show a sentence wherever there is no value under the pointer."""
@@ -257,22 +264,6 @@ class ImageView(PlotView):
     def _whole(self) -> Part:
         assert self._shown is not None
         return self._extent(self._shown).bounds
-
-
-class _Readout(ElidedLabel):
-    resized = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-
-    def show_widest(self, *texts: str) -> None:
-        width, wide = self.width(), self.fontMetrics().horizontalAdvance
-        self.setText(next((text for text in texts if wide(text) <= width), texts[-1]))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.resized.emit()
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSlider
+from PySide6.QtWidgets import QLabel, QPushButton, QSlider
 
 from ui.background import Background, Task, other_cores
 from ui.document.frame import same_light
@@ -14,6 +14,7 @@ from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
+from ui.widgets.controls import Chooser
 from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 from workbench.pictures.axes import Extent
@@ -103,7 +104,7 @@ class PhotoView(ImageView, ComputingView):
 
     def _add_controls(self) -> None:
         self._choice = ImageChoice(self._shared)
-        self._light = QComboBox()
+        self._light = Chooser()
         self._light.setAccessibleName(tr("Light of the photo"))
         self._light.setToolTip(
             tr(

@@ -4,14 +4,12 @@
    background.
 2. Constrained layout takes several times as long as drawing: margins are fixed in pixels.
 3. Drawing ends before `show_changes` returns, so that its cost can be measured.
-4. A new size is drawn when it is painted, one canvas in a turn of the event loop.
 """
 
 from abc import abstractmethod
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO
 
-import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
@@ -19,8 +17,6 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import (
     QAction,
-    QHideEvent,
-    QImage,
     QKeyEvent,
     QPainter,
     QPaintEvent,
@@ -32,7 +28,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 from ui.document.frame import same_task
 from ui.views.image_canvas import FILE_DPI, INK, PAPER, ImageCanvas
 from ui.views.shared_view import SharedView
-from ui.views.view import View, drawing_queue
+from ui.views.view import View
 from ui.widgets.figures import translate, translate_axes
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
@@ -56,7 +52,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._artists: Sequence[Artist] = ()
         self._background: Any = None
-        self._stale = False
         self.recolour()  # no white sheet before the first picture
 
     @property
@@ -91,19 +86,8 @@ class PlotCanvas(FigureCanvasQTAgg):
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self._background = None
 
-    def draw_idle(self) -> None:
-        """Schedule a drawing before the next paint event."""
-        self._stale = True
-        self.update()
-
-    def draw_now(self) -> None:
-        if self._stale:
-            self.draw()
-            self.repaint()
-
     def draw(self) -> None:
         """Draw everything, and keep all but the artists as background."""
-        self._stale = False
         super().draw()
         self._background = self.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
@@ -120,35 +104,17 @@ class PlotCanvas(FigureCanvasQTAgg):
         event.ignore()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if self._stale and drawing_queue().may_draw(self):
-            self.draw()
-        if self._stale:
-            self._paint_stretched()
-        else:
-            super().paintEvent(event)
+        super().paintEvent(event)
         if self.hasFocus():
             painter = QPainter(self)
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
             painter.end()
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        drawing_queue().leave(self)
-        super().hideEvent(event)
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Lay out the axes; also called when the device pixel ratio changes."""
         super().resizeEvent(event)
         self._place()
-
-    def _paint_stretched(self) -> None:
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), self.parentWidget().palette().window())
-        if hasattr(self, "renderer"):
-            pixels = np.asarray(self.renderer.buffer_rgba())
-            (height, width, _), kind = pixels.shape, QImage.Format.Format_RGBA8888
-            painter.drawImage(self.rect(), QImage(pixels.data, width, height, kind))
-        painter.end()
 
     def _place(self) -> None:
         width, height = max(self.width(), 1), max(self.height(), 1)

@@ -7,7 +7,7 @@ drag nothing rests.
 
 from collections import OrderedDict
 from time import perf_counter
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
@@ -31,54 +31,35 @@ _REST_MS = 250  # before a computation; longer than between two frames or two st
 _LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
 
 
-class Drawer(Protocol):
-    """Something that draws in its turn."""
-
-    def draw_now(self) -> None:
-        """Draw now, if needed and visible."""
-
-
 class DrawingQueue(QObject):
     """Queue of views that wait for drawing."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._waiting: OrderedDict[int, Drawer] = OrderedDict()
+        self._waiting: OrderedDict[int, View] = OrderedDict()
         self._rested_at = 0.0
-        self._hurried = self._drawn = False
+        self._hurried = False
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._next)
 
-    def ask(self, drawer: Drawer) -> None:
-        self._waiting.setdefault(id(drawer), drawer)
+    def ask(self, view: "View") -> None:
+        self._waiting.setdefault(id(view), view)
         self._wait()
 
-    def leave(self, drawer: Drawer) -> None:
-        self._waiting.pop(id(drawer), None)
+    def leave(self, view: "View") -> None:
+        self._waiting.pop(id(view), None)
         if not self._waiting:
             self._timer.stop()
-
-    def may_draw(self, drawer: Drawer) -> bool:
-        """Whether a view may draw at once, or waits for others in this turn of the loop."""
-        if self._drawn:
-            self.ask(drawer)
-            return False
-        self._drawn = True
-        QTimer.singleShot(0, self, self._end_turn)
-        return True
 
     def hurry(self, hurried: bool) -> None:
         """Draw without pauses, or with pauses again."""
         self._hurried = hurried
 
-    def _end_turn(self) -> None:
-        self._drawn = False
-
     def _next(self) -> None:
-        _, drawer = self._waiting.popitem(last=False)
+        _, view = self._waiting.popitem(last=False)
         began = perf_counter()
         try:
-            drawer.draw_now()
+            view.draw_now()
         finally:  # whoever fails to draw must not keep the others from it
             ended = perf_counter()
             rest = 0.0 if self._hurried else _REST

@@ -66,6 +66,9 @@ class ScaledImage(QWidget):
         self._picture, self._aspect = image, aspect
         self.update()
 
+    def clear(self) -> None:
+        self.show_image(QImage(), 1.0)
+
     @property
     def place(self) -> QRect:
         """Rectangle of the image."""
