@@ -4665,11 +4665,6 @@
         </message>
         <message>
             <location filename="../../ui/views/region_tool.py" />
-            <source>least / mean {number:.2f}</source>
-            <translation>kleinste / mittlere {number:.2f}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/region_tool.py" />
             <source>new region</source>
             <translation>neuer Ausschnitt</translation>
         </message>
@@ -9408,6 +9403,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/pictures/loss.py" />
             <source>verified</source>
             <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/regions.py" />
+            <source>least / mean {number:.2f}</source>
+            <translation>kleinste / mittlere {number:.2f}</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />

@@ -4665,11 +4665,6 @@
         </message>
         <message>
             <location filename="../../ui/views/region_tool.py" />
-            <source>least / mean {number:.2f}</source>
-            <translation>minimum / moyenne {number:.2f}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/region_tool.py" />
             <source>new region</source>
             <translation>nouvelle région</translation>
         </message>
@@ -9408,6 +9403,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/pictures/loss.py" />
             <source>verified</source>
             <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/regions.py" />
+            <source>least / mean {number:.2f}</source>
+            <translation>minimum / moyenne {number:.2f}</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />

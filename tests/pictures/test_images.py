@@ -5,7 +5,13 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from workbench.pictures.axes import SIGNED, paint, round_scale
-from workbench.pictures.images import IrradianceImage, full_scale, signed_error, target_irradiance
+from workbench.pictures.images import (
+    IrradianceImage,
+    PhotoImage,
+    full_scale,
+    signed_error,
+    target_irradiance,
+)
 
 
 @pytest.fixture
@@ -97,3 +103,20 @@ def test_an_error_of_nothing_has_the_colour_of_the_ground_in_both_themes():
         away = [np.abs(zero - to_rgb(other)).max() for other in (paper, ink)]
         assert away[0] < 0.1 < away[1]
         assert low[2] > low[0] and high[0] > high[2]  # blue and red
+
+
+@pytest.mark.parametrize(("side", "ends"), [("front", (2.0, -2.0)), ("back", (-2.0, 2.0))])
+def test_a_photo_lies_as_its_viewer_sees_the_receiver(axes, make_scene, rng, side, ends):
+    scene = make_scene(
+        {
+            "screen.half_width": [2.0, 1.0],
+            "screen.pixels": [8, 4],
+            "target.viewed_from": side,
+        }
+    )
+    colours = rng.integers(0, 255, (4, 8, 3), dtype=np.uint8)
+    photo = PhotoImage(axes, scene)
+    assert not photo.update(colours)
+    (image,) = axes.images
+    np.testing.assert_array_equal(image.get_array(), colours)
+    assert tuple(image.get_extent()) == (*ends, -1.0, 1.0)

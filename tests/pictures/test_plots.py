@@ -2,10 +2,18 @@
 
 import numpy as np
 import pytest
+from matplotlib.colors import LogNorm, PowerNorm
 from matplotlib.figure import Figure
 
 from workbench.design.session import VerifiedError
-from workbench.pictures.axes import Extent, colour_bar, map_image, shown_data
+from workbench.pictures.axes import (
+    Extent,
+    colour_bar,
+    map_image,
+    show_constant,
+    shown_data,
+    ticks_along,
+)
 from workbench.pictures.error_curves import Curve, draw_sweep
 from workbench.pictures.images import IrradianceImage
 from workbench.pictures.loss import LossPicture
@@ -141,3 +149,49 @@ def test_axes_have_a_power_too_and_files_of_numbers_have_none():
     assert [each.name for each in (x, y, height)] == ["x [m]", "y [m]", "height [m]"]
     assert height.values == pytest.approx(3e-5)
     assert np.abs(x.values).max() == pytest.approx(0.002)
+
+
+@pytest.fixture
+def map_of(figure):
+    """An image with axes, and its colour bar."""
+    axes = figure.add_subplot()
+    image = map_image(axes, "light", Extent((-1, 1, 3, 5), "cm"), (4, 4), "viridis")
+    image.set_clim(0.01, 100)
+    return image, colour_bar(axes, image, "lx", "max")
+
+
+def test_ticks_for_other_painters_are_round_and_in_place(map_of):
+    image, _ = map_of
+    axes = image.axes
+    assert ticks_along(axes.xaxis, 4) == [
+        (0.0, "−1.0"),
+        (0.25, "−0.5"),
+        (0.5, "0.0"),
+        (0.75, "0.5"),
+        (1.0, "1.0"),
+    ]
+    axes.set_xlim(1, -1)  # an axis to the left
+    assert ticks_along(axes.xaxis, 2) == [(1.0, "−1"), (0.5, "0"), (0.0, "1")]
+    assert ticks_along(axes.yaxis, 0)[0] == (0.0, "3")
+    axes.set_xlim(0, 5e-5)  # whose label has the power
+    numbers = [number for _, number in ticks_along(axes.xaxis, 5)]
+    assert numbers == ["0", "10", "20", "30", "40", "50"]
+
+
+def test_ticks_of_a_colour_bar_follow_its_scale(map_of):
+    image, bar = map_of
+    image.set_norm(LogNorm(0.01, 100))
+    wanted = [(0.0, "0.01"), (0.25, "0.1"), (0.5, "1"), (0.75, "10"), (1.0, "100")]
+    found = ticks_along(bar.ax.yaxis, 9)
+    assert [number for _, number in found] == [number for _, number in wanted]
+    np.testing.assert_allclose([part for part, _ in found], [part for part, _ in wanted])
+    image.set_norm(PowerNorm(0.5, 0, 100))
+    parts = {number: part for part, number in ticks_along(bar.ax.yaxis, 4)}
+    assert parts["50"] == pytest.approx(0.5**0.5)
+
+
+def test_a_constant_has_one_tick(figure):
+    image = map_image(figure.add_subplot(), "z", Extent((-1, 1, -1, 1), "cm"), (4, 4), "viridis")
+    show_constant(image, 0.25, "cm")
+    (bar,) = image.axes.child_axes
+    assert ticks_along(bar.yaxis, 9) == [(0.5, "0.25")]

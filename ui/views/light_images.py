@@ -14,7 +14,7 @@ from ui.document.frame import same_task
 from ui.views.choices import ImageChoice
 from ui.views.image_canvas import Touch
 from ui.views.image_view import ImageView
-from ui.views.region_tool import RegionMarks, RegionTool
+from ui.views.region_tool import RegionTool
 from ui.views.shared_view import Place, SharedView
 from ui.widgets import theme
 from ui.words import capitalised, later, tr
@@ -22,6 +22,7 @@ from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
+from workbench.pictures.regions import RegionMarks
 from workbench.scene.image import inverted, pixel_side, side_in_words
 
 if TYPE_CHECKING:
@@ -218,7 +219,7 @@ class IrradianceView(LightImageView):
 
     def _change(self, frame: "Frame") -> bool:
         assert self._regions is not None  # since there is a picture
-        self._regions.show_light(frame.state.irradiance)
+        self._regions.show_light(frame.state.irradiance, tr)
         return super()._change(frame)
 
 

@@ -1,26 +1,20 @@
-"""Regions on images: drawing and editing by mouse, and their marks.
+"""Regions on images: drawing and editing by mouse.
 
 Coordinates are fractions of the receiver's width and height, from its centre.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ui.views.shared_view import Place, SharedView
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.measured.lamps import light_unit
-from workbench.powers import written
 from workbench.scene import PolygonRegion, RectangleRegion
 from workbench.scene.image import AnyRegion
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-    from matplotlib.text import Text
-
     from workbench.scene import AnyReceiver, Scene
 
 _DIGITS = 4  # of places; less than a pixel of any receiver
@@ -128,49 +122,6 @@ def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
 def _within(place: Sequence[float] | Array) -> Place:
     x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
     return x, y
-
-
-_OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
-_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True}
-_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
-
-
-class RegionMarks:
-    """Outlines and labels of the regions of a scene."""
-
-    def __init__(self, axes: "Axes", scene: "Scene") -> None:
-        self._scene = scene
-        self._texts: list[Text] = []
-        outlines: list[Artist] = []
-        receiver = scene.receiver
-        for number, region in enumerate(scene.regions):
-            corners = receiver.middle + 2 * region.outline * receiver.half_extent
-            outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
-            (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
-            side = "left" if left + right <= 2 * receiver.middle[0] else "right"  # towards it
-            at = left if side == "left" else right
-            # In turn above and below: words are wider than regions that stand beside each other.
-            edge, up = (bottom, "bottom") if number % 2 else (top, "top")
-            text = axes.text(at, edge, region.name, ha=side, va=up, bbox=_BOX, **_TEXT)
-            self._texts.append(text)
-        self.artists = (*outlines, *self._texts)
-        """Drawn over the image, which is drawn anew for each state of a run."""
-
-    def show_light(self, irradiance: Array) -> None:
-        if not self._texts:
-            return
-        from workbench.analysis.regions import light_of_regions  # late: takes long to import
-
-        scene = self._scene
-        found = light_of_regions(scene.regions, scene.receiver, irradiance, light_unit(scene))
-        for text, light in zip(self._texts, found, strict=True):
-            words, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
-            if unit.lumens is not None:
-                words += f", {written(light.mean * unit.density, unit.short, 3)}"
-            if light.uniformity is not None:
-                even = tr("least / mean {number:.2f}").format(number=light.uniformity)
-                words += f"\n{even}"
-            text.set_text(words)
 
 
 class RegionTool:

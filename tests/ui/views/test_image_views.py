@@ -8,7 +8,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
+from ui.views.derivative_view import DerivativeView
+from ui.views.focus_view import FocusView
 from ui.views.light_images import ErrorView, IrradianceView, TargetView
+from ui.views.photo_view import PhotoView
 from ui.views.section_view import SectionView
 from ui.views.shared_view import SharedView
 from workbench.pictures.images import shown_error, target_irradiance
@@ -169,3 +172,45 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, wit
     assert link.now.line is None
     section.hide()
     assert link.now.pin is None
+
+
+@pytest.mark.parametrize("size", [(700, 460), (420, 600)])
+def test_all_images_are_at_the_same_place(size, frame, show):
+    places = set()
+    for kind in (IrradianceView, TargetView, ErrorView, FocusView, PhotoView, DerivativeView):
+        view = show(kind(), *size)
+        canvas = view._canvas
+        places.add((canvas.mapTo(view, QPoint()).toTuple(), canvas.size().toTuple()))
+        view.close_threads()
+    assert len(places) == 1
+
+
+def test_a_photo_and_through_focus_zoom_with_the_light(views, frame, show, qtbot):
+    photo, part = PhotoView(views[0]._shared), (-0.5, 0.25, -0.5, 0.25)
+    photo.show_frame(frame)
+    show(photo, 300, 300)
+    views[0]._shared.show(part=part)
+    qtbot.waitUntil(lambda: photo._shown is not None)
+    assert limits(photo) == limits(views[0]) == part
+    turn_wheel(photo, 0.0, 0.0, -20)
+    assert limits(views[2]) == (-1, 1, -1, 1)
+    photo.close_threads()
+
+
+def test_moving_the_image_computes_no_colours(views, monkeypatch, qtbot):
+    converted = []
+    monkeypatch.setattr(type(views[0]._canvas), "show_changes", lambda *_: converted.append(1))
+    for k in range(5):
+        views[0]._shared.show(part=(-0.5, 0.5, -0.5 + 0.1 * k, 0.5 + 0.1 * k))
+    qtbot.wait(50)
+    assert not converted and limits(views[1]) == (-0.5, 0.5, -0.1, 0.9)
+
+
+def test_a_file_shows_and_lists_what_is_seen(views, qtbot):
+    views[0].resize(views[0].width(), 2 * views[0].width())
+    views[0]._shared.show(part=(0.0, 0.5, 0.0, 0.5))
+    x, y, values = (column.values for column in views[0].data())
+    _, _, bottom, top = limits(views[0])
+    assert (x.min(), x.max()) == (0.03125, 0.46875)
+    assert y.max() > top and y.min() < bottom  # there is space for more
+    assert values.size == np.unique(x).size * np.unique(y).size
