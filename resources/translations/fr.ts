@@ -3116,7 +3116,7 @@
         <message>
             <location filename="../../ui/panels/area.py" />
             <source>{count} changed</source>
-            <translation>{count} modifiés</translation>
+            <translation>{count} modif.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/edits.py" />

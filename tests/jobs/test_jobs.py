@@ -30,6 +30,11 @@ def test_the_scene_of_a_job_is_read_back_from_a_scene_file(kind, tmp_path):
     assert read_scene(tmp_path / "job.json") == scene
 
 
+def test_a_refused_size_is_quoted_as_it_was_asked():
+    with pytest.raises(Refused, match=r"size: 1e-09 makes the element slimmer .*; at least 0.1$"):
+        SunPlate().with_answers({"size": [1e-9, 100.0]})
+
+
 @pytest.mark.parametrize(
     ("kind", "answers", "field"),
     [

@@ -41,9 +41,6 @@ class FormArea(QScrollArea):
             sections = [panel.deeper[level] for panel in panels]
             filled(QVBoxLayout(group.body), *sections, margins=0, spacing=0)
             group.unfold(False)
-        labels = [row.label.sizeHint().width() for row in self._rows() if row.level is Level.JOB]
-        for panel in panels:
-            panel.align(max(labels))
         self._content = QWidget()
         parts: list[QWidget] = [self._hint, self._nothing, *panels, *self._groups.values()]
         filled(QVBoxLayout(self._content), *parts, STRETCH, margins=0, spacing=0)
@@ -100,10 +97,11 @@ class FormArea(QScrollArea):
             if not refused.isdisjoint(of_level):
                 group.unfold(True)
         self._show_rows()
-        order = sorted(self._rows(), key=lambda row: row.level)
+        order = sorted(present, key=lambda row: row.level)
         if order != self._ordered:
             self._ordered = order
             self._put_in_tab_order()
+            self._align()
 
     def _show_rows(self) -> None:
         """Show the rows that the search finds, and those that are refused."""
@@ -124,6 +122,14 @@ class FormArea(QScrollArea):
         if row is not None:
             self.reveal(row)
             row.setFocus()
+
+    def _align(self) -> None:
+        """Let the editors of each level begin at one line."""
+        for level in Level:
+            labels = [row.label for row in self._ordered if row.level is level]
+            width = max((label.sizeHint().width() for label in labels), default=0)
+            for label in labels:
+                label.setMinimumWidth(width)
 
     def _put_in_tab_order(self) -> None:
         """Let Tab reach all rows as they stand; those made later would come last."""

@@ -41,7 +41,7 @@ class Panel(Fold):
     def __init__(self, title: str, rows: Sequence[Row], level: Level = Level.JOB) -> None:
         super().__init__(title)
         self._rows: list[Row] = []
-        self._level, self._label_width = level, 0
+        self._level = level
         self._session: Session | None = None
         self._form = form_in(self.body)
         self.deeper = {each: Section(title) for each in (Level.LIMITS, Level.EXPERT)}
@@ -79,18 +79,12 @@ class Panel(Fold):
         for level, section in self.deeper.items():
             section.setVisible(level in levels)
 
-    def align(self, width: int) -> None:
-        self._label_width = width
-        for row in self.rows:
-            row.label.setMinimumWidth(width)
-
     def _form_of(self, row: Row) -> QFormLayout:
         return self.deeper[row.level].form if row.level in self.deeper else self._form
 
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
         self._name_rows(rows, name)
         for row in at_least(self._level, list(rows)):
-            row.label.setMinimumWidth(self._label_width)
             if isinstance(row, PartList):
                 self._form_of(row).addRow(row)
             else:

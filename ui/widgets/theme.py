@@ -150,7 +150,7 @@ def _colour(application: QApplication) -> None:
             background: none;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
-        QLabel#section {{ font-weight: 600; padding: 8px 8px 0 8px; }}
+        QLabel#section {{ font-weight: 600; padding: 8px 8px 0 4px; }}
         QDockWidget {{
             titlebar-close-icon: url("{_icon_file("dock-close").as_posix()}");
             titlebar-normal-icon: url("{_icon_file("dock-float").as_posix()}");

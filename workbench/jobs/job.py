@@ -11,6 +11,7 @@ from workbench.errors import Refused
 from workbench.extended.blur import Blur, diffraction
 from workbench.jobs.fields import GREEN_UM, Material, Picture, Size, Thickness, lens, written
 from workbench.jobs.slopes import needed_slopes
+from workbench.messages import Message
 from workbench.refusals import refusal
 from workbench.scene import Part, Scene
 
@@ -32,7 +33,10 @@ class Job(Part):
         try:
             self.scene()
         except Refused as refused:
-            raise Refused(self._asking(refused.path), refused.reason) from None
+            reason = refused.reason
+            if isinstance(reason, Message) and ".half_" in refused.path:  # jobs ask for full sizes
+                reason = reason.times(2)
+            raise Refused(self._asking(refused.path), reason) from None
 
     def with_answers(self, answers: dict[str, Any]) -> Self:
         """Return the job with other answers, plain data by field; raise Refused if invalid."""
