@@ -4,6 +4,7 @@ from typing import Annotated
 
 import pytest
 
+from workbench.levels import Level
 from workbench.scene import (
     LENGTH,
     CollimatedSource,
@@ -119,3 +120,22 @@ def test_a_source_that_is_new_stands_in_front_of_its_lens(make_scene):
     kinds = next(field for field in Scene.fields() if field.name == "source").mark(Kinds)
     grid = kinds.exchanged(scene.source, GridSource, scene)
     assert (grid.position, grid.half_width) == ((0, 0, -11), (1, 0.5))
+
+
+def test_a_value_differs_from_its_default_whatever_the_unit(make_scene):
+    scene = make_scene({"lens.half_width": [0.7, 0.3]})
+    for seen in (scene, scene.in_unit("mm"), scene.in_unit("inch")):
+        lens = seen.optic
+        assert not lens.differs("min_thickness") and not lens.differs("half_width")
+    assert scene.altered(run=scene.run.altered(seed=3)).run.differs("seed")
+
+
+@pytest.mark.parametrize("part", parts(), ids=lambda part: part.__name__)
+def test_what_a_scene_has_to_say_is_in_view(part):
+    required = {
+        field.name
+        for field in part.fields()
+        if part.model_fields[field.name].is_required() and field.level is not Level.JOB
+    }
+    # The name heads the rows of its element; numbers of points and pixels only resolve.
+    assert required <= {"name", "points", "pixels"}

@@ -6,6 +6,7 @@ from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, OptionalRow
 from ui.panels.panel import Panel
 from ui.panels.rows import value_row
 from ui.panels.text_rows import TextRow
+from workbench.levels import EXPERT, Level, full_size
 from workbench.scene import LENGTH, Scene
 from workbench.scene.fields import PLACE, Choices, Measure, about
 from workbench.scene.part import Part, Positive
@@ -21,7 +22,8 @@ class Holder(Part):
     metal: Annotated[
         Literal["al", "brass"], Choices((("al", "Aluminium"),)), about("Metal", "Of its ring.")
     ]
-    maker: Annotated[str, about("Maker", "Who has it.")]
+    maker: Annotated[str, EXPERT, about("Maker", "Who has it.")]
+    half: Annotated[Positive, LENGTH, full_size("From rim to rim."), about("Half", "Its radius.")]
 
 
 def test_each_field_has_the_row_of_its_type(qtbot):
@@ -35,7 +37,12 @@ def test_each_field_has_the_row_of_its_type(qtbot):
         "glued": CheckRow,
         "metal": ChoiceRow,
         "maker": TextRow,
+        "half": NumberRow,
     }
+    assert [rows[name].level for name in ("metal", "maker")] == [Level.JOB, Level.EXPERT]
+    assert rows["half"].label.text() == "Size" and "From rim to rim." in rows["half"].toolTip()
+    rows["half"].show_scene({"unit": "mm", "holder": {"half": 1.5}}, set())
+    assert rows["half"].editors["holder.half"].text() == "3"
     assert rows["ledge"].label.text() == "Ledge" and "What it rests on." in rows["ledge"].toolTip()
     assert "Of a screw. From 0 to 5." in rows["torque"].toolTip()
     assert len(rows["screws"].editors) == 3
