@@ -123,7 +123,7 @@ def test_a_source_that_is_new_stands_in_front_of_its_lens(make_scene):
 
 
 def test_a_value_differs_from_its_default_whatever_the_unit(make_scene):
-    scene = make_scene({"lens.half_width": [0.7, 0.3]})
+    scene = make_scene({"lens.half_width": [1.0, 0.3]})
     for seen in (scene, scene.in_unit("mm"), scene.in_unit("inch")):
         lens = seen.optic
         assert not lens.differs("min_thickness") and not lens.differs("half_width")
