@@ -16,7 +16,6 @@ from ui.widgets.labels import WrappedLabel
 from ui.widgets.search import SearchLine
 from ui.words import later, tr
 from workbench.levels import Level
-from workbench.scene import Scene
 
 _GROUPS = later({Level.LIMITS: "Limits", Level.EXPERT: "Expert"})
 _MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
@@ -86,12 +85,12 @@ class FormArea(QScrollArea):
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
         self.ensureWidgetVisible(row)
 
-    def show_rows(self, present: Sequence[Row], refused: Set[Row], scene: Scene) -> None:
-        """Show the rows of a scene; refused ones are revealed."""
+    def show_rows(self, present: Sequence[Row], refused: Set[Row]) -> None:
+        """Show the rows of a scene, which they show already; refused ones are revealed."""
         self._present, self._refused = present, refused
         for level, group in self._groups.items():
             of_level = [row for row in present if row.level is level]
-            names = {row.path: row.name for row in of_level if row.changed(scene)}
+            names = {row.path: row.name for row in of_level if row.changed}
             note = tr("{count} changed").format(count=len(names)) if names else ""
             group.note(note, "\n".join(names.values()))
             if not refused.isdisjoint(of_level):

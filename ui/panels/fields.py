@@ -46,6 +46,7 @@ class Row(QWidget):
         self.field, self.path, self.measure, self.level = field, path, field.measure, field.level
         label = tr(field.title)
         self.label = DragLabel(label)
+        self.changed = False  # whether its value is another than by default
         self.of = ""  # the part whose field it is, where a panel has several of a kind
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
@@ -90,21 +91,13 @@ class Row(QWidget):
         text = f"{self.name} {self._tip} {self.path}".casefold()
         return all(word in text for word in words)
 
-    def changed(self, scene: Any) -> bool:
-        """Whether its value is another than by default."""
-        part, name = holder_of(scene, self._value_path)
-        return isinstance(part, Part) and part.differs(str(name))
-
-    @property
-    def _value_path(self) -> str:
-        return self.path
-
     def present(self, scene: Any) -> bool:
         return self._is_there(scene) and all(condition(scene) for condition in self._conditions)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show the values of a scene or of plain data, except refused edits."""
         part, name = holder_of(scene, self.path)
+        self.changed = isinstance(part, Part) and part.differs(str(name))
         if isinstance(part, Element):
             part = part.lit(scene.source.wavelength)
         remarks = part.remarks() if isinstance(part, Part) else {}

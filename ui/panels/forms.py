@@ -284,7 +284,7 @@ class Forms(FormArea):
         for panel in self.panels:
             panel.show_session(session, set(present), self._pending.keys())
         reasons = self._entries.reasons(present)
-        self.show_rows(present, reasons.keys(), session.scene)
+        self.show_rows(present, reasons.keys())
         edited = [row for path in self._pending if (row := row_of(path, present)) is not None]
         refusals = [f"{row.name}: {reasons[row]}" for row in edited]
         for panel in self.panels:

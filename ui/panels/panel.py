@@ -73,7 +73,9 @@ class Panel(Fold):
     def show_rows(self, shown: Set[Row]) -> None:
         """Show some rows, and no heading without any."""
         for row in self.rows:
-            self._form_of(row).setRowVisible(row, row in shown)
+            form = self._form_of(row)
+            if form.isRowVisible(row) != (row in shown):
+                form.setRowVisible(row, row in shown)
         levels = {row.level for row in self.rows if row in shown}
         self.setVisible(Level.JOB in levels)
         for level, section in self.deeper.items():

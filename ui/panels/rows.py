@@ -175,10 +175,8 @@ class KindRow(ChoiceRow):
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         super().show_scene(scene, pending)
         self._shown = self._read_kind(scene)
-
-    @property
-    def _value_path(self) -> str:
-        return self._part
+        whole, name = holder_of(scene, self._part)
+        self.changed = isinstance(whole, Part) and whole.differs(str(name))
 
     def concerns(self, path: str) -> bool:
         """Whether a refusal of ``path`` belongs to this row; one of the whole part does."""
