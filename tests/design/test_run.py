@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 import torch
 
+from workbench.design.loss import relative_error
 from workbench.design.run import run
-from workbench.design.snapshot import History
+from workbench.design.snapshot import MET, History
 from workbench.errors import Refused, RunFailed
 
 METHODS = [{"method": "auto"}, {"method": "paper", "learning_rate": 3e-3}]
@@ -132,3 +133,23 @@ def test_auto_moves_light_beside_the_screen_onto_it(make_scene, disc):
     assert first.state.account.lost["off_screen"] > 0.3
     assert last.state.account.lost["off_screen"] < 0.3 * first.state.account.lost["off_screen"]
     assert last.state.loss < 0.5 * first.state.loss
+
+
+def test_a_run_ends_as_soon_as_its_goal_is_met(make_scene, disc):
+    scene = make_scene({"run": {"method": "auto", "iterations": 30}})
+    history = History()
+    errors = [relative_error(s.state, disc) for s in history.follow(run(scene, disc))]
+    goal = (errors[2] + min(errors)) / 2
+    asked = scene.model_copy(update={"run": scene.run.model_copy(update={"max_error": goal})})
+    shorter = History()
+    met = [relative_error(s.state, disc) for s in shorter.follow(run(asked, disc)) if not s.judged]
+    assert len(met) < len(errors) and met[-1] <= goal < min(met[:-1])
+    assert shorter.result().ended.words == MET
+    assert relative_error(shorter.result().state, disc) <= goal
+
+
+def test_a_goal_out_of_reach_changes_nothing(make_scene, disc):
+    scene = make_scene({"run": {"method": "auto", "iterations": 5}})
+    asked = scene.model_copy(update={"run": scene.run.model_copy(update={"max_error": 1e-6})})
+    losses = [[s.state.loss for s in run(each, disc)] for each in (scene, asked)]
+    assert losses[0] == losses[1]

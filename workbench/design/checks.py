@@ -57,7 +57,7 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Message | None:
 # Errors from here on are high, and a net of so many times the control points along an axis is much
 # finer. With 64 × 64 in place of 480 × 480 a flame is 19 % off and not 1.6 %, a ball 3.3 % and not
 # 0.4 %.
-_HIGH, _FINER = 0.05, 2.0
+HIGH, _FINER = 0.05, 2.0
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     """
     state = result.state
     error = relative_error(state, target)
-    if error < _HIGH or not has_converged(result.ended):
+    if error < HIGH or not has_converged(result.ended):
         return None
     limited = state.shortfall or state.account.advice(scene) or grazed(scene) or scene.run.bends
     if (

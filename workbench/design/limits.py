@@ -186,6 +186,8 @@ def bounded(scene: Scene, part: float = _USUAL) -> Element:
 Cause = Literal["height_range", "max_thickness", "min_thickness", "screen", "entrance_range"]
 Interval = tuple[float, float]
 
+# Part of a needed height range that a wider one has more, at each end.
+_MORE = 0.05
 # Entrance ranges that are tried, times the one before.
 _WIDER = 2.0, 1.5, 1.25, 1.1
 
@@ -328,6 +330,21 @@ class Shortfall:
         if self.cause == "entrance_range":
             return scene.optic.entrance.height_range is None
         return self.cause == "screen" and (self.needed is None or not scene.receiver.at_distance)
+
+    def wider_in(self, scene: Scene) -> tuple[str, list[float] | None] | None:
+        """Path and value of a field that lifts the limit; None where no edit is known to.
+
+        A height range that is given becomes automatic.
+        """
+        if self.cause == "height_range" and scene.optic.height_range is not None:
+            return self._field(scene), None
+        if self.cause == "height_range" and self.needed is not None:
+            low, high = self.needed
+            more = _MORE * (high - low)
+            return self._field(scene), [low - more, high + more]
+        if self.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
+            return self._field(scene), list(wider)
+        return None
 
     def cure_in(self, scene: Scene) -> Message:
         """What helps in a scene."""

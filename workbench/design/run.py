@@ -22,12 +22,14 @@ from workbench.design.images import AnyImage
 from workbench.design.lens_state import LensState, Step
 from workbench.design.levels import finest_image
 from workbench.design.limits import CLOSEST, HeightLimits
+from workbench.design.loss import relative_error
 from workbench.design.memory import check_auto, memory_notes
 from workbench.design.net import definite
 from workbench.design.paper import FilteredImage, check_paper, paper_steps
-from workbench.design.snapshot import DONE, LOCKED, Result, Snapshot
+from workbench.design.snapshot import DONE, LOCKED, MET, Result, Snapshot
 from workbench.design.transport.entrance import out_of_reach
 from workbench.errors import Refused, RunFailed
+from workbench.extended.bound import percent
 from workbench.geometry.body import check_body
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
@@ -115,7 +117,7 @@ def run(
     first = 0 if start is None and not done else len(scenes) - 1
     check_stages(scenes, first, start, locked)
     scene_notes = _scene_notes(scene, target)
-    iteration = 0
+    iteration, goal = 0, _Goal(scene, target)
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, stage_scene in enumerate(scenes[first:], first):
         # The first design of a later stage counts as an iteration: its loss is one of another task.
@@ -154,6 +156,9 @@ def run(
                 lowest, best_heights, kept = merit, step.state.heights, snapshot
             yield snapshot
             iteration += 1
+            if best and stage + 1 == len(scenes) and (met := goal.met_by(state)):
+                ended = met
+                break
         else:
             ended = Message(LOCKED if done else DONE)
         if stage + 1 < len(scenes) and best_heights is not None:
@@ -226,6 +231,32 @@ def _check_net(part: Scene, finished: Scene) -> None:
                 optic=part.optic.called,
             ),
         )
+
+
+class _Goal:
+    """The error that a run shall reach; it ends there."""
+
+    def __init__(self, scene: Scene, target: Array) -> None:
+        self._scene, self._target = scene, target
+        # Radii are kept by a run that has settled: it does not end before.
+        self._goal = 0.0 if scene.run.bends else scene.run.max_error or 0.0
+        self._needed = self._goal  # error in the run's own light from which a lens is judged
+
+    def met_by(self, state: LensState) -> Message | None:
+        """Why a run ends with this lens; None if its error in light of its own is above the goal.
+
+        In the light of beams that the lens was not fitted to its error is higher. It is judged
+        anew once the run has lowered the error by as much.
+        """
+        own = relative_error(state, self._target)
+        if not self._goal or own > self._needed:
+            return None
+        light = method_of(self._scene).judged(self._scene, self._target, state.heights)
+        error = own if light is None else relative_error(light.state, self._target)
+        if error > self._goal:
+            self._needed = own * self._goal / error
+            return None
+        return Message(MET, error=percent(error), goal=percent(self._goal))
 
 
 def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:

@@ -18,6 +18,7 @@ from workbench.progress import Interrupted
 DONE = "all iterations are done"
 LOCKED = "all control points are locked"
 STOPPED = "stopped"
+MET = "goal met: error {error}, at most {goal} was asked"
 SMALL = "converged: error below {error:g} %"
 LOWEST = "converged: no step makes the image better"
 SLOW = "converged: less than {gain:g} % better in {patience} iterations"
@@ -31,7 +32,7 @@ GAINED = (
 FAILED = "failed: {why}"
 
 CONVERGED = (SMALL, LOWEST, SLOW, FLAT)
-ENDINGS = (DONE, LOCKED, STOPPED, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
+ENDINGS = (DONE, LOCKED, STOPPED, MET, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
 """All but failures, whose reasons are without number."""
 
 

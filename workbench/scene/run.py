@@ -26,6 +26,7 @@ def _odd(size: int) -> int:
 
 
 FilterSize = Annotated[int, Field(ge=1, le=99), AfterValidator(_odd)]
+_Fraction = Annotated[float, Field(gt=0, le=1)]
 
 
 class BoxFilter(Part):
@@ -179,6 +180,30 @@ class RunSettings(Part):
             "Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows "
             "keep to it; humps may be sharper. Manufacture shows whether it fits. Left empty, any "
             "will do.",
+        ),
+    ] = None
+    max_error: Annotated[
+        _Fraction | None,
+        about(
+            "Error at most",
+            "Goal for the relative L2 error: 0.02 is 2 %. The run ends as soon as its lens meets "
+            "it. Left empty, the run goes on as long as it gains.",
+        ),
+    ] = None
+    min_light: Annotated[
+        _Fraction | None,
+        about(
+            "Light at least",
+            "Goal for the part of the emitted light on the receiver: 0.9 is 90 %. It is judged "
+            "and does not change the run.",
+        ),
+    ] = None
+    min_uniformity: Annotated[
+        _Fraction | None,
+        about(
+            "Uniformity at least",
+            "Goal for least over mean of irradiance / target where the target is lit; 1 is "
+            "uniform. It is judged and does not change the run.",
         ),
     ] = None
     seed: Annotated[

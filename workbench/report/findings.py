@@ -1,0 +1,293 @@
+"""What came out of a design: a sentence, a level and a cure for each finding."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from workbench.analysis.metrics import lit
+from workbench.arrays import Array, Mask
+from workbench.design.checks import HIGH, coarse_net
+from workbench.design.loss import relative_error
+from workbench.design.session import Session, VerifiedError, verified_error
+from workbench.design.snapshot import LOCKED, MET, Result, has_converged
+from workbench.extended.bound import percent
+from workbench.messages import Message
+from workbench.optics.account import Account, loss_of
+from workbench.optics.paths import TotalReflection
+from workbench.scene import Scene
+from workbench.scene.losses import kind_and_element
+
+Level = Literal["good", "attention", "bad"]
+
+# Losses of a smaller part of the light are not named, as where a run stops without light.
+_NAMED = 5e-4
+# A lit region is even if its target deviates by less, and one piece without holes or bays if its
+# pixels are such a part of their convex hull: a disc in pixels has 0.98, a letter less than 0.7.
+_EVEN, _CONVEX = 0.05, 0.95
+
+
+class Cure(NamedTuple):
+    """What mends a finding: edits of fields by path, a command of the window, or both in turn."""
+
+    text: Message
+    changes: Mapping[str, object] = {}
+    command: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One finding of a design."""
+
+    key: str
+    level: Level
+    sentence: Message
+    cure: Cure | None = None
+
+
+class Goal(NamedTuple):
+    """A limit that a person may set for a finding: field of the run, and how a person reads it."""
+
+    field: str
+    at_most: bool
+    percent: bool
+
+    @property
+    def path(self) -> str:
+        """Path of the field in the scene."""
+        return f"run.{self.field}"
+
+    def of(self, scene: Scene) -> float | None:
+        """The limit of a scene, as a fraction; None where there is none."""
+        value: float | None = getattr(scene.run, self.field)
+        return value
+
+    def judged(self, scene: Scene, value: float, otherwise: Level) -> Level:
+        """Whether a value meets the limit; ``otherwise`` without a limit."""
+        limit = self.of(scene)
+        if limit is None:
+            return otherwise
+        return "good" if (value <= limit if self.at_most else value >= limit) else "bad"
+
+
+GOALS: Mapping[str, Goal] = {
+    "error": Goal("max_error", at_most=True, percent=True),
+    "light": Goal("min_light", at_most=False, percent=True),
+    "uniformity": Goal("min_uniformity", at_most=False, percent=False),
+}
+"""Limits by the keys of findings."""
+
+
+class Attainable(NamedTuple):
+    """What any lens can reach: least relative L2 error, and most light; None if not known."""
+
+    error: float | None = None
+    light: float | None = None
+
+
+UNKNOWN = Attainable()
+"""Before the bounds of a task are computed."""
+
+
+def findings(
+    session: Session,
+    result: Result,
+    verified: VerifiedError | None = None,
+    attainable: Attainable = UNKNOWN,
+    reflection: TotalReflection | None = None,
+) -> tuple[Finding, ...]:
+    """Return what came out, the error first.
+
+    `result`: the lens, or a snapshot of its run; `verified`: of a check of this lens; `attainable`:
+    bounds of the task; `reflection`: where light is totally reflected, as far as it was searched
+    for.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.design.run import run
+    >>> from workbench.design.snapshot import History
+    >>> from workbench.files.session import open_design
+    >>> task, history = open_design(path("examples", "tophat.json")), History()
+    >>> for snapshot in run(task.scene, task.target):
+    ...     history.add(snapshot)
+    ...     if snapshot.iteration == 2:
+    ...         break
+    >>> [found.key for found in findings(task, history.result())]
+    ['error', 'light', 'uniformity']
+    """
+    if session.heights is None and not result.iterations:
+        start = Cure(Message("Start"), command="start")
+        nothing = Message("There is no {optic} yet.", optic=session.scene.optic.called)
+        return (Finding("lens", "attention", nothing, start),)
+    obstacles = tuple(filter(None, (_shortfall(session, result), _coarse(session, result))))
+    light = _light(session, result, attainable)
+    reflected = _reflected(session, result, reflection)
+    hindered = bool(obstacles) or light.level == "attention"
+    error, level = _error(session, result, verified, attainable, hindered)
+    even = _uniformity(session, result, level)
+    return tuple(filter(None, (error, light, even, *obstacles, reflected)))
+
+
+def _error(
+    session: Session,
+    result: Result,
+    verified: VerifiedError | None,
+    attainable: Attainable,
+    hindered: bool,
+) -> tuple[Finding, Level]:
+    """The finding of the error, and its level without a goal."""
+    if verified is None:
+        error = relative_error(result.state, session.target)
+        sentence = Message("The computed error is {error}", error=percent(error))
+    else:
+        error = verified.relative_l2_corrected
+        sentence = Message("The verified error is {error}", error=verified_error(verified))
+    lowest = attainable.error
+    if lowest is not None:
+        sentence = Message(
+            "{error}; no {optic} gets below {lowest}.",
+            error=sentence,
+            optic=session.scene.optic.called,
+            lowest=percent(lowest),
+        )
+    else:
+        sentence = Message("{sentence}.", sentence=sentence)
+    met = _ended_by(MET, result.ended)
+    settled = has_converged(result.ended) or _ended_by(LOCKED, result.ended)
+    above = max(error**2 - (lowest or 0.0) ** 2, 0.0) ** 0.5
+    fine = settled and not hindered and above < HIGH
+    level: Level = "good" if fine else "attention"
+    cure = None
+    if verified is None and (settled or met):
+        cure = Cure(Message("Check"), command="check")
+    elif not settled and not met:
+        cure = Cure(Message("Continue"), command="continue")
+    judged = GOALS["error"].judged(session.scene, error, level)
+    return Finding("error", judged, sentence, cure), level
+
+
+def _ended_by(words: str, ended: str) -> bool:
+    """Whether a run ended for a reason, which may be within another text."""
+    if not isinstance(ended, Message):
+        return False
+    return ended.words == words or _ended_by(words, ended.values.get("ended", ""))
+
+
+def _light(session: Session, result: Result, attainable: Attainable) -> Finding:
+    """The image that gets the least light, and the largest loss."""
+    scene = session.scene
+    accounts = [light.account for light in result.state.lights]
+    account = min(accounts, key=lambda each: each.efficiency)
+    part, advice = account.efficiency, account.advice(scene)
+    level = GOALS["light"].judged(scene, part, "good" if advice is None else "attention")
+    return Finding("light", level, advice or _light_in_words(scene, account, attainable))
+
+
+def _light_in_words(scene: Scene, account: Account, attainable: Attainable) -> Message:
+    most = max(account.lost, key=account.lost.__getitem__)
+    values: dict[str, Any] = {
+        "part": 100 * account.efficiency,
+        "place": Message(scene.receiver.place),
+        "lost": 100 * account.lost[most] / account.emitted,
+        "where": loss_of(most).goes,
+    }
+    if attainable.light is None:
+        return Message("{part:.1f} % of the light lands {place}; {lost:.1f} % {where}.", **values)
+    return Message(
+        "{part:.1f} % of the light lands {place}, of at most {most:.1f} %; {lost:.1f} % {where}.",
+        most=100 * attainable.light,
+        **values,
+    )
+
+
+def _uniformity(session: Session, result: Result, level: Level) -> Finding | None:
+    """The worst image, where all targets are even regions; None otherwise."""
+    found = []
+    for image, light in zip(session.scene.wanted(session.target), result.state.lights, strict=True):
+        region = _even_region(image.target)
+        if region is None:
+            return None
+        found.append(_evenness(light.irradiance[region] / image.target[region]))
+    over_mean, over_most = min(found)
+    sentence = Message(
+        "The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).",
+        mean=over_mean,
+        most=over_most,
+    )
+    judged = GOALS["uniformity"].judged(session.scene, over_mean, level)
+    return Finding("uniformity", judged, sentence)
+
+
+def _even_region(target: Array) -> Mask | None:
+    """Where a target is lit, if that is one even region without holes or bays."""
+    region = lit(target)
+    inside = target[region]
+    if inside.std() > _EVEN * inside.mean():
+        return None
+    rows = np.flatnonzero(region.any(axis=1))
+    first = region[rows].argmax(axis=1)
+    behind = region.shape[1] - region[rows, ::-1].argmax(axis=1)
+    ends = [(row, column) for row in (rows, rows + 1) for column in (first, behind)]
+    corners = np.concatenate([np.column_stack(end) for end in ends])
+    return region if region.sum() >= _CONVEX * ConvexHull(corners).volume else None
+
+
+def _evenness(values: Array) -> tuple[float, float]:
+    """Least over mean, and least over most; 0 without light."""
+    least, most = float(values.min()), float(values.max())
+    return (least / float(values.mean()), least / most) if most > 0 else (0.0, 0.0)
+
+
+def _shortfall(session: Session, result: Result) -> Finding | None:
+    """Limits that are too narrow, with wider ones."""
+    shortfall, scene = result.state.shortfall, session.scene
+    if shortfall is None:
+        return None
+    wider = shortfall.wider_in(scene)
+    if wider is not None:
+        path, value = wider
+        sentence = Message("{sentence}.", sentence=shortfall.sentence(scene))
+        cure = Cure(Message("Widen and start over"), {path: value}, "start")
+        return Finding("limits", "attention", sentence, cure)
+    sentence = Message("{sentence}.", sentence=shortfall.in_full(scene))
+    goes_on = shortfall.cause == "height_range"  # the next run takes a wider one by itself
+    cure = Cure(Message("Continue"), command="continue") if goes_on else None
+    return Finding("limits", "attention", sentence, cure)
+
+
+def _coarse(session: Session, result: Result) -> Finding | None:
+    """A net that is too coarse, with the automatic one."""
+    coarse = coarse_net(session.scene, session.target, result)
+    if coarse is None:
+        return None
+    sentence = Message(
+        "{n_u} × {n_v} control points are too few for the detail of this target; {finer_u} × "
+        "{finer_v} can show it.",
+        n_u=coarse.shape[0],
+        n_v=coarse.shape[1],
+        finer_u=coarse.finer[0],
+        finer_v=coarse.finer[1],
+    )
+    path = f"{session.scene.face_path()}.control_points"
+    cure = Cure(Message("Refine and start over"), {path: "auto"}, "start")
+    return Finding("net", "attention", sentence, cure)
+
+
+def _reflected(session: Session, result: Result, found: TotalReflection | None) -> Finding | None:
+    """Light that is totally reflected, where that is more than rounding."""
+    lost = result.state.account.lost
+    parts = {key: lost[key] for key in lost if kind_and_element(key)[0] == "total_reflection"}
+    share = sum(parts.values()) / result.state.account.emitted
+    if share < _NAMED:
+        return None
+    loss = loss_of(max(parts, key=parts.__getitem__))
+    where: Message = (
+        Message("{part:.2g} % of the light {goes}", part=100 * share, goes=loss.goes)
+        if found is None
+        else found.sentence(session.scene)
+    )
+    sentence = Message("{where}: {cure}.", where=where, cure=loss.cure_in(session.scene))
+    return Finding("reflection", "attention", sentence)
