@@ -1520,6 +1520,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Result</source>
+            <translation>Ergebnis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Loss</source>
             <translation>Zielfunktion</translation>
         </message>
@@ -3544,6 +3549,41 @@
             <translation>Stufe {number}</translation>
         </message>
         <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>findings</source>
+            <translation>Befunde</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>goal</source>
+            <translation>Vorgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Good</source>
+            <translation>Gut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Needs attention</source>
+            <translation>Zu beachten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Goal missed</source>
+            <translation>Vorgabe verfehlt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Goal</source>
+            <translation>Vorgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Type a limit, at most {most}; empty the field to remove the goal</source>
+            <translation>Grenze eingeben, höchstens {most}; ein leeres Feld entfernt die Vorgabe</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>F8 checks the design with an independent ray trace.</source>
             <translation>F8 prüft den Entwurf mit unabhängigem Raytracing.</translation>
@@ -3875,16 +3915,6 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>light at most {parts}</source>
-            <translation>höchstens {parts} des Lichts</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>lower bound {error}</source>
-            <translation>untere Schranke {error}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
             <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
             <translation>Bewiesene untere Schranke des relativen L2-Fehlers: {bound}; {error} mit einer Quelle halber Breite. Einzelheiten: freeform bound.</translation>
         </message>
@@ -4130,6 +4160,11 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
+            <source>Verified error {error} · light {place} {shares}</source>
+            <translation>Geprüfter Fehler {error} · Licht {place} {shares}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
             <source>loss {loss}</source>
             <translation>Zielfunktion {loss}</translation>
         </message>
@@ -4155,13 +4190,13 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
-            <translation>Relativer L2-Fehler dieses Entwurfs, nach der unabhängigen Prüfung, ohne Strahlrauschen; Einzelheiten im Protokoll</translation>
+            <source>The independent check of this run, or of this design</source>
+            <translation>Die unabhängige Prüfung dieses Laufs oder dieses Entwurfs</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image as the optimiser computes it, and the fraction of the flux on the receiver; both for each image</source>
-            <translation>Relativer L2-Fehler des Bildes, wie der Optimierer ihn berechnet, und der Anteil des Flusses auf dem Empfänger; beides für jedes Bild</translation>
+            <source>Relative L2 error of the image, by the independent check once that is done, else as the optimiser computes it, and the fraction of the flux on the receiver</source>
+            <translation>Relativer L2-Fehler des Bildes, nach der unabhängigen Prüfung, sobald sie fertig ist, sonst wie der Optimierer ihn berechnet, und der Anteil des Flusses auf dem Empfänger</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4928,91 +4963,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Cancel &amp;check</source>
             <translation>Prüfung abb&amp;rechen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Refine and start over</source>
-            <translation>Verfeinern und neu starten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>automatic control points</source>
-            <translation>automatische Kontrollpunkte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The run goes on within them.</source>
-            <translation>Der Lauf arbeitet innerhalb dieser Grenzen weiter.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Stop and widen</source>
-            <translation>Stoppen und erweitern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Widen</source>
-            <translation>Erweitern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Continue</source>
-            <translation>Fortsetzen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>automatic height range</source>
-            <translation>automatischer Höhenbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>wider height range</source>
-            <translation>breiterer Höhenbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>wider entrance range</source>
-            <translation>weiterer Eintrittsbereich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The height range is automatic now</source>
-            <translation>Der Höhenbereich ist jetzt automatisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>Der Höhenbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>Der Eintrittsbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{change}; the lens is unchanged. Start over usually gives the better result.</source>
-            <translation>{change}; die Linse ist unverändert. Neu starten gibt meist das bessere Ergebnis.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{change}; the mirror is unchanged. Start over usually gives the better result.</source>
-            <translation>{change}; der Spiegel ist unverändert. Neu starten gibt meist das bessere Ergebnis.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Start over</source>
-            <translation>Neu starten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>search for total reflection</source>
-            <translation>Suche nach Totalreflexion</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{where}, as marked in the 3D scene: {cure}.</source>
-            <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -6716,6 +6666,36 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Error at most</source>
+            <translation>Fehler höchstens</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for the relative L2 error: 0.02 is 2 %. The run ends as soon as its lens meets it. Left empty, the run goes on as long as it gains.</source>
+            <translation>Vorgabe für den relativen L2-Fehler: 0.02 sind 2 %. Der Lauf endet, sobald seine Linse sie einhält. Leer: Der Lauf geht weiter, solange er gewinnt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light at least</source>
+            <translation>Licht mindestens</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for the part of the emitted light on the receiver: 0.9 is 90 %. It is judged and does not change the run.</source>
+            <translation>Vorgabe für den Anteil des ausgesandten Lichts auf dem Empfänger: 0.9 sind 90 %. Sie wird beurteilt und ändert den Lauf nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniformity at least</source>
+            <translation>Gleichmäßigkeit mindestens</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for least over mean of irradiance / target where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
+            <translation>Vorgabe für Minimum über Mittel von Bestrahlungsstärke / Ziel, wo das Ziel hell ist; 1 ist gleichmäßig. Sie wird beurteilt und ändert den Lauf nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Start of the random numbers; the same seed repeats the same run.</source>
             <translation>Anfang der Zufallszahlen; derselbe Startwert wiederholt denselben Lauf.</translation>
         </message>
@@ -7523,6 +7503,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/snapshot.py" />
             <source>stopped</source>
             <translation>gestoppt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
+            <source>goal met: error {error} of at most {goal}</source>
+            <translation>Vorgabe eingehalten: Fehler {error} von höchstens {goal}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
@@ -9463,6 +9448,81 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/report/figures.py" />
             <source>{figure}; {remark}</source>
             <translation>{figure}; {remark}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>There is no lens yet.</source>
+            <translation>Es gibt noch keine Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>There is no mirror yet.</source>
+            <translation>Es gibt noch keinen Spiegel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The computed error is {error}</source>
+            <translation>Der berechnete Fehler ist {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The verified error is {error}</source>
+            <translation>Der geprüfte Fehler ist {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error}; no lens gets below {lowest}.</source>
+            <translation>{error}; keine Linse kommt unter {lowest}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error}; no mirror gets below {lowest}.</source>
+            <translation>{error}; kein Spiegel kommt unter {lowest}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Continue</source>
+            <translation>Fortsetzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.1f} % of the light lands {place}; {lost:.1f} % {where}.</source>
+            <translation>{part:.1f} % des Lichts kommen {place} an; {lost:.1f} % {where}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.1f} % of the light lands {place}, of at most {most:.1f} %; {lost:.1f} % {where}.</source>
+            <translation>{part:.1f} % des Lichts kommen {place} an, von höchstens {most:.1f} %; {lost:.1f} % {where}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).</source>
+            <translation>Die Gleichmäßigkeit ist {mean:.2f} (Minimum / Mittel) und {most:.2f} (Minimum / Maximum).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Widen and start over</source>
+            <translation>Erweitern und neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{n_u} × {n_v} control points are too few for the detail of this target; {finer_u} × {finer_v} can show it.</source>
+            <translation>{n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels; {finer_u} × {finer_v} können sie zeigen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Refine and start over</source>
+            <translation>Verfeinern und neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.2g} % of the light {goes}: {cure}.</source>
+            <translation>{part:.2g} % des Lichts {goes}: {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/element.py" />

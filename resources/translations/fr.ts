@@ -1520,6 +1520,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Result</source>
+            <translation>Résultat</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Loss</source>
             <translation>Coût</translation>
         </message>
@@ -3544,6 +3549,41 @@
             <translation>Étape {number}</translation>
         </message>
         <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>findings</source>
+            <translation>constats</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>goal</source>
+            <translation>objectif</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Good</source>
+            <translation>Bon</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Needs attention</source>
+            <translation>À surveiller</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Goal missed</source>
+            <translation>Objectif manqué</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Goal</source>
+            <translation>Objectif</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/cards.py" />
+            <source>Type a limit, at most {most}; empty the field to remove the goal</source>
+            <translation>Saisir une limite, {most} au plus ; un champ vide retire l'objectif</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>F8 checks the design with an independent ray trace.</source>
             <translation>F8 vérifie la conception par un tracé de rayons indépendant.</translation>
@@ -3875,16 +3915,6 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>light at most {parts}</source>
-            <translation>lumière au plus {parts}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>lower bound {error}</source>
-            <translation>borne inférieure {error}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
             <source>Certified lower bound of the relative L2 error: {bound}; {error} with a source of half the width. Details: freeform bound.</source>
             <translation>Borne inférieure certifiée de l'erreur L2 relative : {bound} ; {error} avec une source de demi-largeur. Détails : freeform bound.</translation>
         </message>
@@ -4130,6 +4160,11 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
+            <source>Verified error {error} · light {place} {shares}</source>
+            <translation>Erreur vérifiée {error} · lumière {place} {shares}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
             <source>loss {loss}</source>
             <translation>coût {loss}</translation>
         </message>
@@ -4155,13 +4190,13 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of this design, by the independent check, without ray noise; details are in the log</source>
-            <translation>Erreur L2 relative de cette conception, par la vérification indépendante, sans bruit de rayons ; détails dans le journal</translation>
+            <source>The independent check of this run, or of this design</source>
+            <translation>Le contrôle indépendant de cette exécution ou de cette conception</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image as the optimiser computes it, and the fraction of the flux on the receiver; both for each image</source>
-            <translation>Erreur L2 relative de l'image calculée par l'optimiseur, et part du flux sur le récepteur ; pour chaque image</translation>
+            <source>Relative L2 error of the image, by the independent check once that is done, else as the optimiser computes it, and the fraction of the flux on the receiver</source>
+            <translation>Erreur L2 relative de l'image, selon le contrôle indépendant dès qu'il est fait, sinon calculée par l'optimiseur, et part du flux sur le récepteur</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4928,91 +4963,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Cancel &amp;check</source>
             <translation>Annu&amp;ler la vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Refine and start over</source>
-            <translation>Affiner et recommencer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>automatic control points</source>
-            <translation>points de contrôle automatiques</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The run goes on within them.</source>
-            <translation>L'exécution continue dans ces limites.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Stop and widen</source>
-            <translation>Arrêter et élargir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Widen</source>
-            <translation>Élargir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Continue</source>
-            <translation>Continuer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>automatic height range</source>
-            <translation>plage de hauteur automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>wider height range</source>
-            <translation>plage de hauteur plus large</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>wider entrance range</source>
-            <translation>plage d'entrée plus large</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The height range is automatic now</source>
-            <translation>La plage de hauteur est maintenant automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>La plage de hauteur est désormais de {low:.3g} à {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
-            <translation>La plage d'entrée est désormais de {low:.3g} à {high:.3g} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{change}; the lens is unchanged. Start over usually gives the better result.</source>
-            <translation>{change} ; la lentille est inchangée. Recommencer donne en général le meilleur résultat.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{change}; the mirror is unchanged. Start over usually gives the better result.</source>
-            <translation>{change} ; le miroir est inchangé. Recommencer donne en général le meilleur résultat.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>Start over</source>
-            <translation>Recommencer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>search for total reflection</source>
-            <translation>recherche de réflexion totale</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/run_notices.py" />
-            <source>{where}, as marked in the 3D scene: {cure}.</source>
-            <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
@@ -6716,6 +6666,36 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Error at most</source>
+            <translation>Erreur au plus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for the relative L2 error: 0.02 is 2 %. The run ends as soon as its lens meets it. Left empty, the run goes on as long as it gains.</source>
+            <translation>Objectif pour l'erreur L2 relative : 0.02 vaut 2 %. L'exécution se termine dès que sa lentille l'atteint. Vide : elle continue tant qu'elle gagne.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light at least</source>
+            <translation>Lumière au moins</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for the part of the emitted light on the receiver: 0.9 is 90 %. It is judged and does not change the run.</source>
+            <translation>Objectif pour la part de la lumière émise sur le récepteur : 0.9 vaut 90 %. Il est jugé et ne change pas l'exécution.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniformity at least</source>
+            <translation>Uniformité au moins</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Goal for least over mean of irradiance / target where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
+            <translation>Objectif pour le minimum sur la moyenne de éclairement / cible où la cible est éclairée ; 1 est uniforme. Il est jugé et ne change pas l'exécution.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Start of the random numbers; the same seed repeats the same run.</source>
             <translation>Départ des nombres aléatoires ; la même graine répète la même exécution.</translation>
         </message>
@@ -7523,6 +7503,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/snapshot.py" />
             <source>stopped</source>
             <translation>arrêté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
+            <source>goal met: error {error} of at most {goal}</source>
+            <translation>objectif atteint : erreur {error} pour {goal} au plus</translation>
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
@@ -9463,6 +9448,81 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/report/figures.py" />
             <source>{figure}; {remark}</source>
             <translation>{figure} ; {remark}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>There is no lens yet.</source>
+            <translation>Il n'y a pas encore de lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>There is no mirror yet.</source>
+            <translation>Il n'y a pas encore de miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The computed error is {error}</source>
+            <translation>L'erreur calculée est {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The verified error is {error}</source>
+            <translation>L'erreur vérifiée est {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error}; no lens gets below {lowest}.</source>
+            <translation>{error} ; aucune lentille ne descend sous {lowest}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error}; no mirror gets below {lowest}.</source>
+            <translation>{error} ; aucun miroir ne descend sous {lowest}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Continue</source>
+            <translation>Continuer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.1f} % of the light lands {place}; {lost:.1f} % {where}.</source>
+            <translation>{part:.1f} % de la lumière arrive {place} ; {lost:.1f} % {where}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.1f} % of the light lands {place}, of at most {most:.1f} %; {lost:.1f} % {where}.</source>
+            <translation>{part:.1f} % de la lumière arrive {place}, sur {most:.1f} % au plus ; {lost:.1f} % {where}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).</source>
+            <translation>L'uniformité est {mean:.2f} (minimum / moyenne) et {most:.2f} (minimum / maximum).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Widen and start over</source>
+            <translation>Élargir et recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{n_u} × {n_v} control points are too few for the detail of this target; {finer_u} × {finer_v} can show it.</source>
+            <translation>{n_u} × {n_v} points de contrôle sont trop peu pour le détail de cette cible ; {finer_u} × {finer_v} peuvent le montrer.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>Refine and start over</source>
+            <translation>Affiner et recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{part:.2g} % of the light {goes}: {cure}.</source>
+            <translation>{part:.2g} % de la lumière {goes} : {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/element.py" />

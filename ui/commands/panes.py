@@ -33,6 +33,7 @@ PANES = {
     "check": Pane("Check"),
     "manufacture": Pane("Manufacture"),
     "tolerances": Pane("Tolerances"),
+    "result": Pane("Result"),
     "light": Pane("Light account"),
     "loss": Pane("Loss", "6"),
     "section": Pane("Cross-section", "7"),
@@ -79,7 +80,7 @@ WORKSPACES = {
         "Run the design and watch the image",
         "irradiance",
         (("design",),),
-        (("scene",), ("loss", "light", "runs", "log")),
+        (("scene",), ("result", "light", "runs"), ("loss", "log")),
     ),
     "check": Workspace(
         "Check",

@@ -39,8 +39,12 @@ class VerifiedErrors:
 
     def of(self, run: KeptRun) -> VerifiedError | None:
         """Return the error of a run's lens, from the latest check or its file."""
-        lens, error = self._all.get(id(run.result), (None, None))
-        return error if lens is not None and lens() is run.result else run.verified
+        return self.of_lens(run.result) or run.verified
+
+    def of_lens(self, result: Result) -> VerifiedError | None:
+        """Return the error of a lens from the latest check."""
+        lens, error = self._all.get(id(result), (None, None))
+        return error if lens is not None and lens() is result else None
 
     def complete(self, session: Session) -> Session:
         """The session with the errors of its kept runs, for a file."""

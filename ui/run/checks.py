@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
+    from workbench.report.findings import Attainable
 
 
 RAYS = 4_000_000
@@ -107,7 +108,6 @@ class Check(QObject):
         elif self._asked is None or self._asked_rays != self._rays:
             self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
             self._asked, self._asked_rays = self._shown, self._rays
-            self.figures_changed.emit(tr("checking…"))
             session, shot = self._shown.session, self._shown.snapshot
             lens = CheckedLens(
                 session,
@@ -116,6 +116,11 @@ class Check(QObject):
                 further=tuple(light.irradiance for light in shot.state.further),
             )
             self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
+            self.figures_changed.emit(tr("checking…"))
+
+    @property
+    def busy(self) -> bool:
+        return self._background.busy
 
     def cancel(self) -> None:
         if self._background.busy:
@@ -252,16 +257,17 @@ class RunCheck(QObject):
             return
         self._latest = verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
         history = self._control.history
+        self._text = tr("Verified error {error} at iteration {iteration}").format(
+            error=verified_error(found.verified), iteration=lens.iterations
+        )
         if lens is self._end and self._result is not None:
+            self._text = ""  # the error is that of the lens from here on
             self._document.verified.note(self._result, found)  # also while its run is undone
             history.add_later_check(verified, self._result, self._document.session)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = tr("Verified error {error} at iteration {iteration}").format(
-            error=verified_error(found.verified), iteration=lens.iterations
-        )
         self._emit_figures()
         self.checked.emit(lens, found)
 
@@ -294,14 +300,14 @@ _REST_MS = 1000  # without edits before bounds are computed: live designs come f
 class BoundOfDesign(QObject):
     """Computes the bounds of error and light of each new task in a thread."""
 
-    figures_changed = Signal(str, str)
+    found = Signal(object, str)  # Attainable or None, its sentences
     failed = Signal(str)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._task: Session | None = None  # whose bound is shown, or looked for
         self._background = Background(later("bound"), self)
-        self._background.done.connect(lambda _, found: self.figures_changed.emit(*found))
+        self._background.done.connect(lambda _, found: self.found.emit(*found))
         self._background.failed.connect(self.failed)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
@@ -317,35 +323,35 @@ class BoundOfDesign(QObject):
         if last is not None and lit_alike(last, session):
             return
         self._background.cancel()
-        self.figures_changed.emit("", "")
+        self.found.emit(None, "")
         self._rest.start(_REST_MS)
 
     def _begin(self) -> None:
         assert self._task is not None
-        self._background.begin(partial(_in_words, self._task), self._task)
+        self._background.begin(partial(_bounds, self._task), self._task)
 
 
-def _in_words(session: "Session", task: Task) -> tuple[str, str]:
-    # Late: both take long to import.
+def _bounds(session: "Session", task: Task) -> "tuple[Attainable | None, str]":
+    # Late: all of them take long to import.
     from workbench.analysis.light_limit import light_limits
     from workbench.extended.bound import Bound, percent
+    from workbench.report.findings import Attainable
 
     scene = session.scene
     limits, bound = light_limits(scene), Bound(scene, session.target)
-    most = ", ".join(dict.fromkeys(f"{limit.percent} %" for limit in limits))
-    figures = [tr("light at most {parts}").format(parts=most)]
     lights = zip(limits, scene.receivers, strict=True)
     sentences = list(dict.fromkeys(tr(limit.sentence(scene, each)) for limit, each in lights))
+    error = None
     if bound.certified:
         if task.follow(bound.finding()) is None:
-            return "", ""
+            return None, ""
         allowed = task.follow(bound.finding_half_as_wide())
         if allowed is None:
-            return "", ""
-        figures.insert(0, tr("lower bound {error}").format(error=percent(bound.relative_l2)))
+            return None, ""
+        error = bound.relative_l2
         certified = tr(
             "Certified lower bound of the relative L2 error: {bound}; {error} with a source of "
             "half the width. Details: freeform bound."
         )
         sentences.insert(0, certified.format(bound=bound.short, error=percent(allowed)))
-    return " · ".join(figures), " ".join(sentences)
+    return Attainable(error, max(limit.most for limit in limits)), " ".join(sentences)

@@ -6,18 +6,20 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.document.frame import lit_alike
+from ui.document.frame import lit_alike, shows
 from ui.run.checks import CheckedLens, RunCheck, verified_error
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, renamed, restored, without
 from ui.run.table import RunTable
 from ui.words import tr
+from workbench.design.session import VerifiedError
 from workbench.errors import Refused
-from workbench.files.session import KeptRun
+from workbench.files.session import KeptRun, Session
 from workbench.pictures.loss import LossCourse
 
 if TYPE_CHECKING:
+    from ui.document.frame import Frame
     from workbench.analysis.validation_figures import Validation
 
 
@@ -25,6 +27,7 @@ class Runs(QObject):
     """The kept runs: table, comparison, restoring, renaming and deleting."""
 
     compared = Signal(object)  # list of LossCourse
+    checked = Signal()
     refused = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
@@ -58,12 +61,24 @@ class Runs(QObject):
     def note_check(self, lens: CheckedLens, found: "Validation") -> None:
         if found.contradiction:
             return
-        for run in self._document.session.runs:
+        session = self._document.session
+        for run in session.runs:
             if _is_lens_of(run, lens):
                 self._document.verified.note(run.result, found)
+        if session.result is not None and _is_lens_of(session, lens):
+            self._document.verified.note(session.result, found)
         self.table.show_verified()
+        self.checked.emit()
         if self.comparison is not None:
             self.comparison.show_figures()
+
+    def error_of(self, frame: "Frame") -> VerifiedError | None:
+        """Return the verified error of a shown lens; None during a run, or without a check."""
+        session, result = self._document.session, self._document.session.result
+        if self._control.busy or result is None or not shows(frame, session):
+            return None
+        noted, run = self._document.verified.of_lens(result), self._current
+        return noted or (None if run is None else self._document.verified.of(run))
 
     def close(self) -> None:
         self.check.close()
@@ -143,5 +158,7 @@ class Runs(QObject):
         self._document.change(without(self._document.session, runs), text)
 
 
-def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
-    return run.result.state.heights == lens.heights and lit_alike(run, lens.session)
+def _is_lens_of(run: KeptRun | Session, lens: CheckedLens) -> bool:
+    result = run.result
+    same = result is not None and result.state.heights == lens.heights
+    return same and lit_alike(run, lens.session)

@@ -71,6 +71,7 @@ class StatusLayout(QObject):
 _READ_MS = 6000  # a sentence
 _ITERATION = later("iteration {done} of {count}{rate}")
 _LIGHT = later("Error {error} · light {place} {shares}")
+_VERIFIED = later("Verified error {error} · light {place} {shares}")
 _LOSS = later("loss {loss}")
 _WIDE_LOSS = written(1.234e-9)
 _ELAPSED = later("{time} elapsed")
@@ -95,22 +96,15 @@ class RunStatus:
             tr("Finished iterations, and the current rate"),
             tr(_ITERATION).format(done="0000", count="0000", rate=", 00.0/s"),
         )
-        self._verified = _passing(
-            bar,
-            tr(
-                "Relative L2 error of this design, by the independent check, without ray noise; "
-                "details are in the log"
-            ),
-        )
-        self._of_run = self._of_check = ""  # figures of checks: a run's own, and one asked for
-        self._bound = _passing(bar, "")
+        self._check = _passing(bar, tr("The independent check of this run, or of this design"))
+        self._of_run = self._of_check = ""  # of checks: a run's own, and one asked for
         self._light = _figure(
             bar,
             tr(
-                "Relative L2 error of the image as the optimiser computes it, and the fraction of "
-                "the flux on the receiver; both for each image"
+                "Relative L2 error of the image, by the independent check once that is done, else "
+                "as the optimiser computes it, and the fraction of the flux on the receiver"
             ),
-            tr(_LIGHT).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
+            tr(_VERIFIED).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
         )
         self._loss = _figure(
             bar, tr("Loss that the optimiser minimises"), tr(_LOSS).format(loss=_WIDE_LOSS)
@@ -152,7 +146,8 @@ class RunStatus:
         self._show_text(sentence)
         self._read.start(_READ_MS)
 
-    def show_frame(self, frame: "Frame", running: bool) -> None:
+    def show_frame(self, frame: "Frame", running: bool, verified: str = "") -> None:
+        """Show a frame; ``verified`` is the error of its lens by a check, if there was one."""
         snapshot = frame.snapshot
         done, all_of_it = snapshot.iteration, snapshot.iterations
         self._progress.setVisible(running)
@@ -170,10 +165,11 @@ class RunStatus:
         self._loss.setText(tr(_LOSS).format(loss=written(snapshot.state.loss)))
         scene = frame.session.scene
         landed = _landed(frame)
-        errors = ", ".join(_errors(frame))
         self._light.setText(
-            tr(_LIGHT).format(
-                error=errors, place=tr(scene.receiver.place), shares=", ".join(landed)
+            tr(_VERIFIED if verified else _LIGHT).format(
+                error=verified or _error(frame),
+                place=tr(scene.receiver.place),
+                shares=", ".join(landed),
             )
         )
         self._elapsed.setText(tr(_ELAPSED).format(time=clock(snapshot.seconds)) if counting else "")
@@ -182,18 +178,14 @@ class RunStatus:
         self._left.setText("" if left is None else words.format(time=clock(left)))
         self._layout.share()
 
-    def show_verified(self, figures: str) -> None:
-        self._of_run = figures
-        self._show(self._verified, self._of_check or self._of_run)
+    def show_check_of_run(self, text: str) -> None:
+        self._of_run = text
+        self._show_check()
 
-    def show_check(self, figures: str) -> None:
+    def show_check(self, text: str) -> None:
         """Show the check that was asked for in place of the run's own."""
-        self._of_check = figures
-        self._show(self._verified, self._of_check or self._of_run)
-
-    def show_bound(self, figures: str, sentence: str) -> None:
-        self._bound.setToolTip(f"<p>{sentence}</p>")
-        self._show(self._bound, figures)
+        self._of_check = text
+        self._show_check()
 
     def show_nothing(self) -> None:
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
@@ -201,7 +193,7 @@ class RunStatus:
         self._layout.share()
 
     def show_outdated(self, outdated: bool) -> None:
-        for figure in (self._iteration, self._loss, self._light, self._elapsed, self._verified):
+        for figure in (self._iteration, self._loss, self._light, self._elapsed, self._check):
             figure.setEnabled(not outdated)
         self._outdated.setVisible(outdated)
         self._layout.share()
@@ -211,9 +203,10 @@ class RunStatus:
         self._left.clear()
         self._layout.share()
 
-    def _show(self, label: QLabel, figures: str) -> None:
-        label.setText(figures)
-        label.setVisible(bool(figures))
+    def _show_check(self) -> None:
+        text = self._of_check or self._of_run
+        self._check.setText(text)
+        self._check.setVisible(bool(text))
         self._layout.share()
 
     def _show_text(self, text: str) -> None:
@@ -263,13 +256,15 @@ def _landed(frame: "Frame") -> list[str]:
     return [" = ".join(filter(None, each)) for each in words]
 
 
-def _errors(frame: "Frame") -> list[str]:
+def _error(frame: "Frame") -> str:
+    """The error of all images together, and of each of several."""
     from workbench.design.loss import relative_error  # late: takes long to import
     from workbench.extended.bound import percent
 
     count = len(frame.session.scene.images)
-    alone = [frame.of_image(number) for number in range(count)] if count > 1 else [frame]
-    return [percent(relative_error(each.snapshot.state, each.session.target)) for each in alone]
+    alone = [frame.of_image(number) for number in range(count)] if count > 1 else []
+    errors = [percent(relative_error(f.snapshot.state, f.session.target)) for f in (frame, *alone)]
+    return f"{errors[0]} ({', '.join(errors[1:])})" if alone else errors[0]
 
 
 def clock(seconds: float) -> str:

@@ -6,7 +6,7 @@
 """
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from threading import Condition, Lock
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -119,7 +119,8 @@ class RunJob:
 
 def frame_of(session: "Session", result: Result) -> Frame:
     """Return the frame of a session's result."""
-    return make_frame(session, _as_snapshot(result, session.scene.run), History(result))
+    frame = make_frame(session, _as_snapshot(result, session.scene.run), History(result))
+    return replace(frame, result=result)  # with why its run ended
 
 
 def work(job: RunJob, task: Task) -> None:

@@ -153,4 +153,5 @@ class LossView(PlotView):
             frame.result.stage_starts,
             frame.result.times(),
             self._verified,
+            frame.state.loss,
         )

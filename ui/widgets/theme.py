@@ -168,6 +168,7 @@ def _colour(application: QApplication) -> None:
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
         QFrame#warning {{ background: {_WARNING[scheme]}; }}
+        QFrame#card {{ background: palette(base); border-radius: 4px; }}
         QFrame#note {{ background: {_NOTE[scheme]}; }}
         {_BOXES[scheme]}
         """

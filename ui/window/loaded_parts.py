@@ -12,8 +12,9 @@ from ui.lens.tools import LensTools
 from ui.manufacture.pane import ManufacturePane
 from ui.manufacture.tolerance_pane import TolerancePane
 from ui.panels.edits import Edit
+from ui.run.cards import Findings, ResultCards
 from ui.run.check_figures import CheckFigures
-from ui.run.checks import BoundOfDesign, Check
+from ui.run.checks import BoundOfDesign, Check, verified_error
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.log import RunLog
@@ -21,12 +22,6 @@ from ui.run.runs import Runs
 from ui.views.view import View
 from ui.views.views import Views
 from ui.window.edit_notices import PostponedEdits
-from ui.window.run_notices import (
-    CoarseNetNotice,
-    LostLightNotice,
-    ShortfallNotice,
-    TotalReflectionNotice,
-)
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -69,19 +64,11 @@ class LoadedParts(QObject):
         show_photo = partial(there.show, "photo")
         self._photo = PhotoPicture(views.photo, document, messages, early.dialogs, show_photo, self)
         RunLog(document, self.control, early.log.add)
-        begin = [early.commands[name].trigger for name in ("start", "continue")]
-        shortfall = ShortfallNotice(document, self.control, messages, *begin)
-        lost_light = LostLightNotice(document, self.control, messages)
-        CoarseNetNotice(document, self.control, messages, begin[0])
-        self.follow.settled.connect(lambda: shortfall.follow(document.session))
-        self.follow.settled.connect(lost_light.report)
-        self.reflection = TotalReflectionNotice(document, self.control)
-        self.reflection.located.connect(views.scene.show_spots)
-        self.reflection.reported.connect(self._report_reflection)
-        self.reflection.withdrawn.connect(early.messages.withdraw)
-        self.follow.settled.connect(self.reflection.report)
+        self.findings = Findings(self.control, self.runs.error_of)
+        self.cards = ResultCards(self.findings, early.commands)
+        self._frame: Frame | None = None  # that is shown
         made = {"scene": views.scene, "check": self.figures, "runs": self.runs.table}
-        there.put_views({**views.around, **made})
+        there.put_views({**views.around, **made, "result": self.cards})
         for name in panes.keys() & views.computing.keys():
             there.docks[name].visibilityChanged.connect(views.computing[name].uncover)
         views.shared.drawn.connect(lambda _: there.show("section"))
@@ -91,6 +78,7 @@ class LoadedParts(QObject):
         views.scene.escaped.connect(early.commands["turn"].trigger)
         self._connect_run()
         self._connect_check()
+        self._connect_cards()
         self._connect_commands()
         keep_colours(settings, early.commands)
         self._connect_follow(settings)
@@ -109,7 +97,7 @@ class LoadedParts(QObject):
 
     def close(self) -> None:
         engines = (self.follow, self.control, self.check, self.plots, self.runs)
-        for part in (*engines, self.reflection, self.bound, self.views, self.tools):
+        for part in (*engines, self.findings, self.bound, self.views, self.tools):
             part.close()
 
     def _connect_run(self) -> None:
@@ -127,7 +115,7 @@ class LoadedParts(QObject):
         runner.waiting.connect(early.show_waiting)
         runner.state_changed.connect(self.state_changed)
         self.runs.check.failed.connect(early.log.add)
-        self.runs.check.figures_changed.connect(early.status.show_verified)
+        self.runs.check.figures_changed.connect(early.status.show_check_of_run)
         self.runs.compared.connect(self.views.loss.show_runs)
         self.views.history_slider.continued.connect(
             lambda frame: early.begin(lambda: control.go_on_from(frame))
@@ -140,13 +128,25 @@ class LoadedParts(QObject):
         check.figures_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
-        check.figures_changed.connect(early.status.show_check)
+        check.figures_changed.connect(self._show_check)
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
-        self.bound.figures_changed.connect(early.status.show_bound)
         self.bound.failed.connect(early.log.add)
         self.bound.follow(early.document.session)
+
+    def _connect_cards(self) -> None:
+        findings, cards, commands = self.findings, self.cards, self._early.commands
+        self.shown.frame_changed.connect(findings.show_frame)
+        self.shown.emptied.connect(findings.show_nothing)
+        self.shown.outdated_changed.connect(cards.show_outdated)
+        self.runs.checked.connect(self._refresh)
+        self.bound.found.connect(lambda attainable, _: findings.use_bounds(attainable))
+        self.bound.found.connect(lambda _, sentence: cards.explain(sentence))
+        findings.located.connect(self.views.scene.show_spots)
+        findings.edit_asked.connect(self._edit)
+        findings.command_asked.connect(lambda name: commands[name].trigger())
+        findings.failed.connect(self._early.log.add)
 
     def _connect_follow(self, settings: QSettings) -> None:
         follow, early, command = self.follow, self._early, self._early.commands["follow"]
@@ -199,14 +199,22 @@ class LoadedParts(QObject):
         edit = Edit("regions", text, {"regions": data}, alone=True, waits=False)
         self._early.forms.edit(edit)
 
-    def _report_reflection(self, sentence: str) -> None:
-        if self._early.messages.taken:
-            self._early.log.add(sentence)
-        else:
-            self._early.messages.note(sentence)
+    def _edit(self, text: str, changes: dict[str, object]) -> None:
+        path = next(iter(changes))
+        self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
 
     def _show_frame(self, frame: "Frame") -> None:
-        self._early.status.show_frame(frame, self.control.busy)
+        self._frame, found = frame, self.runs.error_of(frame)
+        verified = "" if found is None else verified_error(found)
+        self._early.status.show_frame(frame, self.control.busy, verified)
+
+    def _refresh(self) -> None:
+        if self._frame is not None:
+            self._show_frame(self._frame)
+            self.findings.refresh()
+
+    def _show_check(self, figures: str) -> None:
+        self._early.status.show_check(figures if self.check.busy else "")
 
     def _reword_check(self, under_way: bool) -> None:
         commands = self._early.commands

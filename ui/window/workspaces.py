@@ -179,7 +179,8 @@ class Workspaces(QObject):
         window.resizeDocks(list(beside), list(beside.values()), Qt.Orientation.Horizontal)
         for groups in (places[_RIGHT_AREA], places.get(_BOTTOM_AREA, ())):
             share = _SCENE_ABOVE if len(groups) > 1 else _SCENE_BELOW
-            heights = [share * height, (1 - share) * height][: len(groups)]
+            rest = (1 - share) / max(len(groups) - 1, 1)
+            heights = [share * height, *([rest * height] * (len(groups) - 1))][: len(groups)]
             first = [docks[group[0]] for group in groups]
             window.resizeDocks(first, [round(h) for h in heights], _DOWNWARDS)
 

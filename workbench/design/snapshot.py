@@ -18,7 +18,7 @@ from workbench.progress import Interrupted
 DONE = "all iterations are done"
 LOCKED = "all control points are locked"
 STOPPED = "stopped"
-MET = "goal met: error {error}, at most {goal} was asked"
+MET = "goal met: error {error} of at most {goal}"
 SMALL = "converged: error below {error:g} %"
 LOWEST = "converged: no step makes the image better"
 SLOW = "converged: less than {gain:g} % better in {patience} iterations"

@@ -58,7 +58,8 @@ def write_loss(session: Session, file: BinaryIO) -> None:
     result = result_of(session)
     losses, starts = result.losses, result.stage_starts
     figure = Figure(figsize=(7, 4), layout="constrained")
-    LossPicture(figure.subplots()).update(losses, losses.size, starts)
+    picture = LossPicture(figure.subplots())
+    picture.update(losses, losses.size, starts, loss=result.state.loss)
     figure.savefig(file, format="png", dpi=_DPI)
 
 

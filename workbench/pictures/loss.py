@@ -95,6 +95,9 @@ class LossPicture(UpdatedPicture):
             label=Message("verified"),
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
+        (self._end,) = axes.plot([], [], "o", color=_THIS_RUN, markersize=5, zorder=4)
+        self._end.set_clip_on(False)
+        self._end.set_in_layout(False)
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=FONT + 1
         )
@@ -102,7 +105,7 @@ class LossPicture(UpdatedPicture):
         self._stages_at: tuple[float, ...] = ()
         self._limits = (0.0, 0.0, 0.0, 0.0)
         self._set_limits((self._first_x(np.zeros(0)), 10.0, 1e-1, 1.0))
-        self.artists = [self._line, self._points, self._value]
+        self.artists = [self._line, self._points, self._end, self._value]
 
     def compare(self, runs: Sequence[LossCourse]) -> None:
         """Show other runs as well; the whole figure changes."""
@@ -130,12 +133,15 @@ class LossPicture(UpdatedPicture):
         stage_starts: tuple[int, ...] = (),
         times: Array | None = None,
         verified: Sequence[Verified] = (),
+        loss: float | None = None,
     ) -> bool:
         """Show losses; return whether the whole figure has to be redrawn.
 
         `losses` (k,): after each iteration; `iterations`: least length of the axis; `stage_starts`:
         index of the first loss of each stage but the first; `times` (k,): run time at the end of
-        each iteration; `verified`: checks of lenses of the run.
+        each iteration; `verified`: checks of lenses of the run; `loss`: of the shown lens, by
+        default the last one. It is higher after the last look of a run, in light of beams that the
+        lens was not fitted to, and lower where an earlier lens was the best.
         """
         by_time = self._against == "seconds"
         x = self._x_values(losses, np.zeros(0) if times is None else times)
@@ -145,7 +151,9 @@ class LossPicture(UpdatedPicture):
         )
         self._has_points = bool(verified)
         named = self._update_legend()
-        self._value.set_text(written(losses[-1], digits=3) if losses.size else "")
+        last = losses[-1:] if loss is None else np.full(min(losses.size, 1), loss)
+        self._end.set_data(x[-1:], last)
+        self._value.set_text(written(last[0]) if last.size else "")
         starts = (float(x[start - 1]) for start in stage_starts if 0 < start <= x.size)
         marked = self._mark_stages(
             tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts)
@@ -154,7 +162,7 @@ class LossPicture(UpdatedPicture):
         right = float(x_values.max(initial=0.0))
         right = _round(right, down=False) if by_time and right else max(right, iterations, 1.0)
         checked = np.array([v.loss for v in verified], dtype=np.float64)
-        everything = np.concatenate([losses, checked, *(run.losses for run in self._runs)])
+        everything = np.concatenate([losses, last, checked, *(run.losses for run in self._runs)])
         seen = everything[np.isfinite(everything) & (everything > 0)]
         low, high = self._limits[2:]
         if seen.size:

@@ -298,7 +298,8 @@ def draw_two_tracers(figure: "FigureBase", session: Session, ours: Array, mitsub
 def draw_loss(figure: "FigureBase", result: "Result") -> None:
     """Draw the loss over the iterations."""
     picture = LossPicture(figure.subplots())
-    picture.update(result.losses, result.losses.size, result.stage_starts)
+    losses, starts = result.losses, result.stage_starts
+    picture.update(losses, losses.size, starts, loss=result.state.loss)
 
 
 def draw_tolerances(figure: "FigureBase", nominal: float, errors: Sequence[float]) -> None:

@@ -16,7 +16,7 @@ from workbench.design.snapshot import LOCKED, MET, Result, has_converged
 from workbench.extended.bound import percent
 from workbench.messages import Message
 from workbench.optics.account import Account, loss_of
-from workbench.optics.paths import TotalReflection
+from workbench.optics.paths import total_reflection
 from workbench.scene import Scene
 from workbench.scene.losses import kind_and_element
 
@@ -37,7 +37,7 @@ class Cure(NamedTuple):
     command: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Finding:
     """One finding of a design."""
 
@@ -45,6 +45,7 @@ class Finding:
     level: Level
     sentence: Message
     cure: Cure | None = None
+    places: Array | None = None  # (n, 3), where it happens, scene units
 
 
 class Goal(NamedTuple):
@@ -96,13 +97,13 @@ def findings(
     result: Result,
     verified: VerifiedError | None = None,
     attainable: Attainable = UNKNOWN,
-    reflection: TotalReflection | None = None,
+    *,
+    search: bool = False,
 ) -> tuple[Finding, ...]:
     """Return what came out, the error first.
 
     `result`: the lens, or a snapshot of its run; `verified`: of a check of this lens; `attainable`:
-    bounds of the task; `reflection`: where light is totally reflected, as far as it was searched
-    for.
+    bounds of the task; `search`: whether to trace where light is totally reflected.
 
     Examples
     --------
@@ -124,7 +125,7 @@ def findings(
         return (Finding("lens", "attention", nothing, start),)
     obstacles = tuple(filter(None, (_shortfall(session, result), _coarse(session, result))))
     light = _light(session, result, attainable)
-    reflected = _reflected(session, result, reflection)
+    reflected = _reflected(session, result, search)
     hindered = bool(obstacles) or light.level == "attention"
     error, level = _error(session, result, verified, attainable, hindered)
     even = _uniformity(session, result, level)
@@ -250,8 +251,8 @@ def _shortfall(session: Session, result: Result) -> Finding | None:
     if wider is not None:
         path, value = wider
         sentence = Message("{sentence}.", sentence=shortfall.sentence(scene))
-        cure = Cure(Message("Widen and start over"), {path: value}, "start")
-        return Finding("limits", "attention", sentence, cure)
+        widen = Cure(Message("Widen and start over"), {path: value}, "start")
+        return Finding("limits", "attention", sentence, widen)
     sentence = Message("{sentence}.", sentence=shortfall.in_full(scene))
     goes_on = shortfall.cause == "height_range"  # the next run takes a wider one by itself
     cure = Cure(Message("Continue"), command="continue") if goes_on else None
@@ -276,7 +277,7 @@ def _coarse(session: Session, result: Result) -> Finding | None:
     return Finding("net", "attention", sentence, cure)
 
 
-def _reflected(session: Session, result: Result, found: TotalReflection | None) -> Finding | None:
+def _reflected(session: Session, result: Result, search: bool) -> Finding | None:
     """Light that is totally reflected, where that is more than rounding."""
     lost = result.state.account.lost
     parts = {key: lost[key] for key in lost if kind_and_element(key)[0] == "total_reflection"}
@@ -284,10 +285,16 @@ def _reflected(session: Session, result: Result, found: TotalReflection | None) 
     if share < _NAMED:
         return None
     loss = loss_of(max(parts, key=parts.__getitem__))
-    where: Message = (
-        Message("{part:.2g} % of the light {goes}", part=100 * share, goes=loss.goes)
-        if found is None
-        else found.sentence(session.scene)
+    cure = loss.cure_in(session.scene)
+    found = total_reflection(session.scene, result.state.heights) if search else None
+    if found is None:
+        sentence = Message(
+            "{part:.2g} % of the light {goes}: {cure}.", part=100 * share, goes=loss.goes, cure=cure
+        )
+        return Finding("reflection", "attention", sentence)
+    sentence = Message(
+        "{where}, as marked in the 3D scene: {cure}.",
+        where=found.sentence(session.scene),
+        cure=cure,
     )
-    sentence = Message("{where}: {cure}.", where=where, cure=loss.cure_in(session.scene))
-    return Finding("reflection", "attention", sentence)
+    return Finding("reflection", "attention", sentence, places=found.places)

@@ -56,5 +56,7 @@ def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path)
     status.show_frame(frames(1, session, irradiance=exact, further=(further,)), running=False)
     error = relative_l2(upside_down, wanted)
     assert error > 0.1
-    stated = f"Error 0.00 %, {100 * error:.1f} % · light on the screen 92.0 %, 30.0 %"
-    assert status._light.text() == stated
+    stated = f"(0.00 %, {100 * error:.1f} %) · light on the screen 92.0 %, 30.0 %"
+    assert status._light.text().endswith(stated)
+    status.show_frame(frames(1, session, irradiance=exact, further=(further,)), False, "1.25 %")
+    assert status._light.text() == "Verified error 1.25 % · light on the screen 92.0 %, 30.0 %"

@@ -162,16 +162,15 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
-    assert window.status._verified.text() == "Verified error 1.25 % at iteration 6"
+    qtbot.waitUntil(lambda: window.status._light.text().startswith("Verified error 1.25 % · "))
+    assert window.status._check.text() == ""
     assert verified(window)[0] == "1.25 %"
-    window.loaded.check.figures_changed.emit("Verified error 1.24 %")
-    assert window.status._verified.text() == "Verified error 1.24 %"
-    window.loaded.check.figures_changed.emit("")
-    assert window.status._verified.text() == "Verified error 1.25 % at iteration 6"
+    card = window.loaded.cards.cards["error"].sentence
+    qtbot.waitUntil(lambda: card.text() == "The verified error is 1.25 %.")
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)
-    assert window.status._verified.text() == "" and window.loaded.views.loss._verified == ()
+    assert window.loaded.views.loss._verified == ()
     assert verified(window)[0] == "1.25 %"
 
 
