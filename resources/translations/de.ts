@@ -4040,8 +4040,8 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Updating: error {error:.1f} %</source>
-            <translation>Aktualisierung: Fehler {error:.1f} %</translation>
+            <source>Updating: error {error}</source>
+            <translation>Aktualisierung: Fehler {error}</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept_runs.py" />
@@ -9461,13 +9461,13 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The computed error is {error}</source>
-            <translation>Der berechnete Fehler ist {error}</translation>
+            <source>{error} computed error, not verified yet</source>
+            <translation>{error} berechneter Fehler, noch nicht geprüft</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The verified error is {error}</source>
-            <translation>Der geprüfte Fehler ist {error}</translation>
+            <source>{error} verified error</source>
+            <translation>{error} geprüfter Fehler</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
@@ -9496,8 +9496,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).</source>
-            <translation>Die Gleichmäßigkeit ist {mean:.2f} (Minimum / Mittel) und {most:.2f} (Minimum / Maximum).</translation>
+            <source>{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.</source>
+            <translation>{mean:.2f} Gleichmäßigkeit (Minimum / Mittel); Minimum / Maximum ist {most:.2f}.</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />

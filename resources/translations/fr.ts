@@ -4040,8 +4040,8 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Updating: error {error:.1f} %</source>
-            <translation>Mise à jour : erreur {error:.1f} %</translation>
+            <source>Updating: error {error}</source>
+            <translation>Mise à jour : erreur {error}</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept_runs.py" />
@@ -9461,13 +9461,13 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The computed error is {error}</source>
-            <translation>L'erreur calculée est {error}</translation>
+            <source>{error} computed error, not verified yet</source>
+            <translation>{error} d'erreur calculée, pas encore vérifiée</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The verified error is {error}</source>
-            <translation>L'erreur vérifiée est {error}</translation>
+            <source>{error} verified error</source>
+            <translation>{error} d'erreur vérifiée</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
@@ -9496,8 +9496,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).</source>
-            <translation>L'uniformité est {mean:.2f} (minimum / moyenne) et {most:.2f} (minimum / maximum).</translation>
+            <source>{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.</source>
+            <translation>{mean:.2f} d'uniformité (minimum / moyenne) ; minimum / maximum est {most:.2f}.</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />

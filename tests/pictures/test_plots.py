@@ -35,6 +35,18 @@ def test_against_seconds(axes):
     assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
 
 
+def test_the_loss_of_the_shown_lens_is_stated_and_marked(axes):
+    picture = LossPicture(axes)
+    losses = np.array([4e-6, 2.51e-6])
+    picture.update(losses, 2)
+    assert picture._value.get_text() == "2.51 · 10⁻⁶"
+    picture.update(losses, 2, loss=3.28e-6)  # in light that the lens was not fitted to
+    assert picture._value.get_text() == "3.28 · 10⁻⁶"
+    np.testing.assert_array_equal(picture._end.get_xydata(), [(2, 3.28e-6)])
+    picture.update(losses[:0], 2, loss=3.28e-6)
+    assert picture._value.get_text() == "" and not picture._end.get_xdata().size
+
+
 def found(percent, beside=0.1):
     low, high = percent - beside, percent + beside
     return VerifiedError(percent / 100, (max(low, 0) / 100, high / 100))

@@ -68,13 +68,13 @@ def test_a_task_without_a_lens_is_to_be_started(judge, make_scene):
 
 def test_a_settled_lens_without_obstacles_is_good_and_its_error_is_computed(judge):
     error = judge()["error"]
-    assert (error.level, error.sentence) == ("good", "The computed error is 2.0 %.")
+    assert (error.level, error.sentence) == ("good", "2.0 % computed error, not verified yet.")
     assert error.cure.command == "check"
 
 
 def test_the_verified_error_replaces_the_computed_one(judge):
     error = judge(verified=VerifiedError(0.0234, (0.023, 0.024)))["error"]
-    assert (error.level, error.sentence) == ("good", "The verified error is 2.34 %.")
+    assert (error.level, error.sentence) == ("good", "2.34 % verified error.")
     assert error.cure is None
 
 
@@ -87,7 +87,7 @@ def test_a_lens_that_is_not_settled_goes_on(judge, ended):
 def test_a_high_error_is_good_where_the_lower_bound_explains_it(judge):
     net = {"lens.control_points": [400, 400]}  # fine enough
     explained = judge(0.07, changes=net, attainable=Attainable(0.06))["error"]
-    assert explained.sentence == "The computed error is 7.0 %; no lens gets below 6.0 %."
+    assert explained.sentence == "7.0 % computed error, not verified yet; no lens gets below 6.0 %."
     assert explained.level == "good"
     assert judge(0.07, changes=net, attainable=Attainable(0.01))["error"].level == "attention"
     assert judge(0.07, changes=net)["error"].level == "attention"
@@ -141,9 +141,7 @@ def test_total_reflection_is_named_with_its_cure(judge):
 def test_uniformity_of_an_even_square(judge):
     even = judge(least=0.5)["uniformity"]
     mean = (255 + 0.5) / 256
-    assert even.sentence == (
-        f"The uniformity is {0.5 / mean:.2f} (least / mean) and 0.50 (least / most)."
-    )
+    assert even.sentence == (f"{0.5 / mean:.2f} uniformity (least / mean); least / most is 0.50.")
     assert even.level == "good"
     assert judge(least=0.5, changes={"run.min_uniformity": 0.5})["uniformity"].level == "good"
     assert judge(least=0.5, changes={"run.min_uniformity": 0.8})["uniformity"].level == "bad"

@@ -1,7 +1,9 @@
 """Result cards: what came out, each with a goal and a button that mends it."""
 
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
+from html import escape
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
@@ -170,6 +172,9 @@ def _polygon(points: Sequence[tuple[float, float]]) -> QPolygonF:
     return QPolygonF([QPointF(*point) for point in points])
 
 
+_FIGURE = re.compile(r"^[\d.]++( %)?(?! ×)")  # at the beginning of a sentence
+
+
 class _Card(QFrame):
     """One finding; the goal is a field that holds a limit, or nothing."""
 
@@ -182,8 +187,9 @@ class _Card(QFrame):
         self._goal = goal
         self._limit: float | None = None
         self._cure: Cure | None = None
-        self.mark, self.sentence = _Mark(), WrappedLabel()
-        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.text = ""
+        self.mark, self._sentence = _Mark(), WrappedLabel(textFormat=Qt.TextFormat.RichText)
+        self._sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.button = QPushButton()
         self.button.clicked.connect(lambda: self.mended.emit(self._cure))
         self.limit = QLineEdit(placeholderText=tr("none"))
@@ -198,16 +204,17 @@ class _Card(QFrame):
         for part in (named, self.limit):
             part.setVisible(goal is not None)
         below = filled(QHBoxLayout(), named, self.limit, STRETCH, self.button, spacing=6)
-        beside = filled(QVBoxLayout(), self.sentence, below, spacing=6)
+        beside = filled(QVBoxLayout(), self._sentence, below, spacing=6)
         row = filled(QHBoxLayout(self), self.mark, (beside, 1), margins=(8, 8, 8, 8), spacing=8)
         row.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
 
     def show_finding(self, finding: "Finding", scene: "Scene") -> None:
-        sentence = tr(finding.sentence)
-        if (sentence, finding.level) != (self.sentence.text(), self.mark.level):
+        text = tr(finding.sentence)
+        if (text, finding.level) != (self.text, self.mark.level):
+            self.text = text
             self.mark.show_level(finding.level)
-            self.sentence.setText(sentence)
-            self.setAccessibleName(f"{tr(_LEVELS[finding.level])}: {sentence}")
+            self._sentence.setText(_FIGURE.sub(r"<b>\g<0></b>", escape(text), count=1))
+            self.setAccessibleName(f"{tr(_LEVELS[finding.level])}: {text}")
         self._cure = finding.cure
         self.button.setText("" if finding.cure is None else tr(finding.cure.text))
         if self._goal is not None and not self.limit.isModified():

@@ -28,6 +28,7 @@ from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
 from workbench.design.snapshot import STOPPED
+from workbench.extended.bound import percent
 from workbench.messages import Message
 
 if TYPE_CHECKING:
@@ -280,8 +281,8 @@ class Follow(QObject):
             self._document.improve(session)
         for run in displaced:
             self._control.displaced.emit(called(run))
-        error = 100 * relative_error(best.state, session.target)
-        self._show_text(tr("Updating: error {error:.1f} %").format(error=error))
+        error = percent(relative_error(best.state, session.target))
+        self._show_text(tr("Updating: error {error}").format(error=error))
 
     def _end(self, design: _Design, _: object) -> None:
         self._take_frame()

@@ -30,7 +30,7 @@ _VERSION = 2  # of the docks' names; Qt refuses a layout of another one
 _FORMS, _FORMS_SHARE = 340, 0.3
 _RIGHT, _RIGHT_SHARE = 380, 0.35
 _BESIDE_IMAGE = 76  # buttons above the image and figures below it
-_SCENE_ABOVE, _SCENE_BELOW = 0.5, 0.36  # of the height
+_SCENE_ABOVE, _SCENE_BELOW = 0.42, 0.36  # of the height
 _SCENE = ("scene",)
 # The 3D scene stands beside images that are narrower than this, in widths for each height; below
 # wider ones.
@@ -179,10 +179,10 @@ class Workspaces(QObject):
         window.resizeDocks(list(beside), list(beside.values()), Qt.Orientation.Horizontal)
         for groups in (places[_RIGHT_AREA], places.get(_BOTTOM_AREA, ())):
             share = _SCENE_ABOVE if len(groups) > 1 else _SCENE_BELOW
-            rest = (1 - share) / max(len(groups) - 1, 1)
-            heights = [share * height, *([rest * height] * (len(groups) - 1))][: len(groups)]
-            first = [docks[group[0]] for group in groups]
-            window.resizeDocks(first, [round(h) for h in heights], _DOWNWARDS)
+            others = max(len(groups) - 1, 1)
+            shares = [share, *others * [(1 - share) / others]]
+            first = {docks[group[0]]: round(s * height) for group, s in zip(groups, shares, strict=False)}
+            window.resizeDocks(list(first), list(first.values()), _DOWNWARDS)
 
     @staticmethod
     def _is_wide(aspect: float) -> bool:

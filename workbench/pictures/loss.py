@@ -95,7 +95,7 @@ class LossPicture(UpdatedPicture):
             label=Message("verified"),
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
-        (self._end,) = axes.plot([], [], "o", color=_THIS_RUN, markersize=5, zorder=4)
+        (self._end,) = axes.plot([], [], "o", color=_THIS_RUN, markersize=4, zorder=3.5)
         self._end.set_clip_on(False)
         self._end.set_in_layout(False)
         self._value = axes.text(

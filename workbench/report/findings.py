@@ -22,8 +22,8 @@ from workbench.scene.losses import kind_and_element
 
 Level = Literal["good", "attention", "bad"]
 
-# Losses of a smaller part of the light are not named, as where a run stops without light.
-_NAMED = 5e-4
+# A smaller part of the light that is totally reflected is no finding: it is 0 % when rounded.
+_NAMED = 5e-3
 # A lit region is even if its target deviates by less, and one piece without holes or bays if its
 # pixels are such a part of their convex hull: a disc in pixels has 0.98, a letter less than 0.7.
 _EVEN, _CONVEX = 0.05, 0.95
@@ -140,22 +140,22 @@ def _error(
     hindered: bool,
 ) -> tuple[Finding, Level]:
     """The finding of the error, and its level without a goal."""
+    lowest = attainable.error
     if verified is None:
         error = relative_error(result.state, session.target)
-        sentence = Message("The computed error is {error}", error=percent(error))
+        sentence = Message("{error} computed error, not verified yet", error=percent(error))
     else:
         error = verified.relative_l2_corrected
-        sentence = Message("The verified error is {error}", error=verified_error(verified))
-    lowest = attainable.error
-    if lowest is not None:
+        sentence = Message("{error} verified error", error=verified_error(verified))
+    if lowest is None:
+        sentence = Message("{sentence}.", sentence=sentence)
+    else:
         sentence = Message(
             "{error}; no {optic} gets below {lowest}.",
             error=sentence,
             optic=session.scene.optic.called,
             lowest=percent(lowest),
         )
-    else:
-        sentence = Message("{sentence}.", sentence=sentence)
     met = _ended_by(MET, result.ended)
     settled = has_converged(result.ended) or _ended_by(LOCKED, result.ended)
     above = max(error**2 - (lowest or 0.0) ** 2, 0.0) ** 0.5
@@ -214,7 +214,7 @@ def _uniformity(session: Session, result: Result, level: Level) -> Finding | Non
         found.append(_evenness(light.irradiance[region] / image.target[region]))
     over_mean, over_most = min(found)
     sentence = Message(
-        "The uniformity is {mean:.2f} (least / mean) and {most:.2f} (least / most).",
+        "{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.",
         mean=over_mean,
         most=over_most,
     )

@@ -61,20 +61,20 @@ def press(card, qtbot):
 
 def test_the_missing_lens_is_started(window, run, as_run, qtbot):
     lens = card(window, "lens", qtbot)
-    assert (lens.sentence.text(), lens.mark.level) == ("There is no lens yet.", "attention")
+    assert (lens.text, lens.mark.level) == ("There is no lens yet.", "attention")
     window.loaded.control.runner._generate = as_run(2)
     with qtbot.waitSignal(window.loaded.control.ended):
         press(lens, qtbot)
     error = card(window, "error", qtbot)
     qtbot.waitUntil(lambda: not lens.isVisibleTo(window.loaded.cards))
-    assert "error is" in error.sentence.text()
-    assert card(window, "light", qtbot).sentence.text().startswith("92.0 % of the light lands")
+    assert "computed error" in error.text
+    assert card(window, "light", qtbot).text.startswith("92.0 % of the light lands")
 
 
 def test_a_coarse_net_is_refined_and_designed_anew(window, run, qtbot):
     run(SLOW_RUN)
     net = card(window, "net", qtbot)
-    assert "12 × 10 control points are too few" in net.sentence.text()
+    assert "12 × 10 control points are too few" in net.text
     assert net.button.text() == "Refine and start over"
     with qtbot.waitSignal(window.loaded.control.ended):
         press(net, qtbot)
@@ -86,7 +86,7 @@ def test_a_coarse_net_is_refined_and_designed_anew(window, run, qtbot):
 def test_a_narrow_range_is_widened_by_a_button_that_ends_the_run(window, run, qtbot):
     run(iterations=10_000, pause=0.01, wait=False, shortfall=NARROW)
     limits = card(window, "limits", qtbot)
-    assert limits.sentence.text() == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
+    assert limits.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
     began = []
     window.loaded.control.runner.state_changed.connect(began.append)
     press(limits, qtbot)

@@ -165,8 +165,8 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     qtbot.waitUntil(lambda: window.status._light.text().startswith("Verified error 1.25 % · "))
     assert window.status._check.text() == ""
     assert verified(window)[0] == "1.25 %"
-    card = window.loaded.cards.cards["error"].sentence
-    qtbot.waitUntil(lambda: card.text() == "The verified error is 1.25 %.")
+    card = window.loaded.cards.cards["error"]
+    qtbot.waitUntil(lambda: card.text == "1.25 % verified error.")
     (point,) = window.loaded.views.loss._verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)
