@@ -1515,13 +1515,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light account</source>
-            <translation>Lichtbilanz</translation>
+            <source>Result</source>
+            <translation>Ergebnis</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Result</source>
-            <translation>Ergebnis</translation>
+            <source>Light account</source>
+            <translation>Lichtbilanz</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4636,7 +4636,7 @@
         <message>
             <location filename="../../ui/views/photo_view.py" />
             <source>State of the photo</source>
-            <translation type="unfinished" />
+            <translation>Zustand des Fotos</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />

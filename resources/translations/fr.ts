@@ -1515,13 +1515,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Light account</source>
-            <translation>Bilan de lumière</translation>
+            <source>Result</source>
+            <translation>Résultat</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Result</source>
-            <translation>Résultat</translation>
+            <source>Light account</source>
+            <translation>Bilan de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4636,7 +4636,7 @@
         <message>
             <location filename="../../ui/views/photo_view.py" />
             <source>State of the photo</source>
-            <translation type="unfinished" />
+            <translation>État de la photo</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />

@@ -181,7 +181,9 @@ class Workspaces(QObject):
             share = _SCENE_ABOVE if len(groups) > 1 else _SCENE_BELOW
             others = max(len(groups) - 1, 1)
             shares = [share, *others * [(1 - share) / others]]
-            first = {docks[group[0]]: round(s * height) for group, s in zip(groups, shares, strict=False)}
+            first = {
+                docks[group[0]]: round(s * height) for group, s in zip(groups, shares, strict=False)
+            }
             window.resizeDocks(list(first), list(first.values()), _DOWNWARDS)
 
     @staticmethod
