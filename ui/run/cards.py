@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 class Findings(QObject):
     """Finds in a thread what came out of the shown lens, and makes cures and goals edits."""
 
-    found = Signal(object, object)  # tuple of Finding, Scene
+    found = Signal(object, object, bool)  # tuple of Finding, Scene, whether of the shown lens
     located = Signal(object, object)  # ControlHeights, points (n, 3)
     failed = Signal(str)
     edit_asked = Signal(str, object)  # text, mapping of paths to values
@@ -62,9 +62,9 @@ class Findings(QObject):
     def show_nothing(self, session: "Session") -> None:
         self._frame = None
         self._background.cancel()
-        self.found.emit((), session.scene)
+        self.found.emit((), session.scene, True)
 
-    def use_bounds(self, attainable: "Attainable | None") -> None:
+    def use_bounds(self, attainable: "Attainable | None", sentence: str = "") -> None:
         self._attainable = attainable
         self.refresh()
 
@@ -98,7 +98,7 @@ class Findings(QObject):
             self.mend(cure)
 
     def _emit(self, frame: "Frame", findings: "tuple[Finding, ...]") -> None:
-        self.found.emit(findings, frame.session.scene)
+        self.found.emit(findings, frame.session.scene, frame is self._frame)
         for finding in findings:
             if finding.places is not None:
                 self.located.emit(frame.state.heights, finding.places)
@@ -262,20 +262,24 @@ class ResultCards(QWidget):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(self._inner)
         filled(QVBoxLayout(self), area, margins=0)
-        self._veil = Veil(self)
+        self._veil, self._outdated = Veil(self), False
         findings.found.connect(self._show)
         for name in ("start", "continue", "check"):
             commands[name].changed.connect(self._allow)
 
     def show_outdated(self, outdated: bool) -> None:
-        self._inner.setEnabled(not outdated)
-        self._veil.cover(outdated)
+        """Grey the cards at once; new findings end that."""
+        self._outdated = outdated
+        if outdated:
+            self._cover(True)
+        else:
+            self._findings.refresh()
 
-    def explain(self, sentence: str) -> None:
-        """Show what bounds error and light as a tip."""
-        self.setToolTip(f"<p>{sentence}</p>" if sentence else "")
+    def _cover(self, covered: bool) -> None:
+        self._inner.setEnabled(not covered)
+        self._veil.cover(covered)
 
-    def _show(self, findings: "tuple[Finding, ...]", scene: "Scene") -> None:
+    def _show(self, findings: "tuple[Finding, ...]", scene: "Scene", latest: bool) -> None:
         # Late: torch comes with it; it is there after a finding.
         from workbench.report.findings import GOALS
 
@@ -291,6 +295,8 @@ class ResultCards(QWidget):
         for place, key in enumerate(shown):
             self._column.insertWidget(place, self.cards[key])
         self._allow()
+        if latest and not self._outdated:
+            self._cover(False)
 
     def _allow(self) -> None:
         for card in self.cards.values():

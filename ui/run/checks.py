@@ -309,8 +309,7 @@ class BoundOfDesign(QObject):
         self._background = Background(later("bound"), self)
         self._background.done.connect(lambda _, found: self.found.emit(*found))
         self._background.failed.connect(self.failed)
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
+        self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._begin)
         document.session_changed.connect(self.follow)
 
@@ -354,4 +353,5 @@ def _bounds(session: "Session", task: Task) -> "tuple[Attainable | None, str]":
             "half the width. Details: freeform bound."
         )
         sentences.insert(0, certified.format(bound=bound.short, error=percent(allowed)))
-    return Attainable(error, max(limit.most for limit in limits)), " ".join(sentences)
+    tip = f"<p>{' '.join(sentences)}</p>"
+    return Attainable(error, max(limit.most for limit in limits)), tip

@@ -128,7 +128,8 @@ class LoadedParts(QObject):
         check.figures_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
-        check.figures_changed.connect(self._show_check)
+        show_check = early.status.show_check
+        check.figures_changed.connect(lambda text: show_check(text if check.busy else ""))
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
@@ -141,8 +142,8 @@ class LoadedParts(QObject):
         self.shown.emptied.connect(findings.show_nothing)
         self.shown.outdated_changed.connect(cards.show_outdated)
         self.runs.checked.connect(self._refresh)
-        self.bound.found.connect(lambda attainable, _: findings.use_bounds(attainable))
-        self.bound.found.connect(lambda _, sentence: cards.explain(sentence))
+        self.bound.found.connect(findings.use_bounds)
+        self.bound.found.connect(lambda _, sentence: cards.setToolTip(sentence))
         findings.located.connect(self.views.scene.show_spots)
         findings.edit_asked.connect(self._edit)
         findings.command_asked.connect(lambda name: commands[name].trigger())
@@ -212,9 +213,6 @@ class LoadedParts(QObject):
         if self._frame is not None:
             self._show_frame(self._frame)
             self.findings.refresh()
-
-    def _show_check(self, figures: str) -> None:
-        self._early.status.show_check(figures if self.check.busy else "")
 
     def _reword_check(self, under_way: bool) -> None:
         commands = self._early.commands

@@ -134,9 +134,23 @@ def test_cards_are_marked_within_a_tenth_of_a_second_after_an_edit(window, run, 
     assert window.loaded.shown._wait.interval() <= 100
     qtbot.waitUntil(cards._veil.isVisible)
     assert not error.isEnabled()
-    window.loaded.control._preview.start(0)
+    window.commands["undo"].trigger()
     qtbot.waitUntil(lambda: not cards._veil.isVisible())
     assert error.isEnabled()
+
+
+def test_cards_are_greyed_until_findings_of_the_new_lens_come(window, run, frames, qtbot):
+    run(SLOW_RUN)
+    cards, error = window.loaded.cards, card(window, "error", qtbot)
+    qtbot.waitUntil(lambda: window.loaded.shown._frame.result.ended == SLOW_RUN)
+    window.loaded.control._preview.setInterval(10_000_000)
+    move_screen(window.document, 7)
+    qtbot.waitUntil(cards._veil.isVisible)
+    before = error.text
+    window.loaded.shown.frame_changed.emit(frames(2, window.document.session))
+    assert cards._veil.isVisible() and error.text == before
+    qtbot.waitUntil(lambda: not cards._veil.isVisible())
+    assert error.text != before
 
 
 @pytest.fixture
@@ -159,7 +173,7 @@ def desk(qtbot, session, as_run):
     owner.control.runner._generate = generate
     owner.findings, owner.spots, owner.found = Findings(owner.control, lambda _: None), [], []
     owner.findings.located.connect(lambda *spots: owner.spots.append(spots))
-    owner.findings.found.connect(lambda found, _: owner.found.append(found))
+    owner.findings.found.connect(lambda found, *_: owner.found.append(found))
     owner.control.runner.frame_ready.connect(owner.findings.show_frame)
     yield owner
     owner.findings.close()
