@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
+from PySide6.QtGui import QCursor
 
 from tests.accounts import account_of
 from tests.ui.leftovers import left_behind, living
@@ -216,11 +217,12 @@ def as_seen_run(snapshots):
 
 @pytest.fixture
 def show(qtbot):
-    """Shows a widget of some size; it goes with the test."""
+    """Shows a widget of some size, away from the pointer; it goes with the test."""
 
     def show(widget, width, height):
         qtbot.addWidget(widget)
-        widget.resize(width, height)
+        QCursor.setPos(0, 0)
+        widget.setGeometry(40, 40, width, height)
         with qtbot.waitExposed(widget):
             widget.show()
         return widget

@@ -184,6 +184,7 @@ class RunSettings(Part):
     ] = None
     max_error: Annotated[
         _Fraction | None,
+        LIMITS,
         about(
             "Error at most",
             "Goal for the relative L2 error: 0.02 is 2 %. The run ends as soon as its lens meets "
@@ -192,6 +193,7 @@ class RunSettings(Part):
     ] = None
     min_light: Annotated[
         _Fraction | None,
+        LIMITS,
         about(
             "Light at least",
             "Goal for the part of the emitted light on the receiver: 0.9 is 90 %. It is judged "
@@ -200,6 +202,7 @@ class RunSettings(Part):
     ] = None
     min_uniformity: Annotated[
         _Fraction | None,
+        LIMITS,
         about(
             "Uniformity at least",
             "Goal for least over mean of irradiance / target where the target is lit; 1 is "

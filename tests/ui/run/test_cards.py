@@ -25,6 +25,7 @@ SLOW_RUN = Message(SLOW, gain=5, patience=5)
 @pytest.fixture
 def window(display, kernels, window):
     window.build()
+    window.commands["workspace_design"].trigger()
     return window
 
 
