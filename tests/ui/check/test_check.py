@@ -189,7 +189,8 @@ def test_the_most_light_stands_beside_the_light_and_follows_edits(window, monkey
     cards = window.loaded.cards
 
     def possible():
-        return ", of at most 92.2 %;" in cards.cards["light"].text
+        light = cards.cards.get("light")
+        return light is not None and ", of at most 92.2 %;" in light.text
 
     window.loaded.bound.follow(window.document.session)
     qtbot.waitUntil(possible, timeout=60_000)  # two bare faces
