@@ -105,7 +105,12 @@ class FormArea(QScrollArea):
     def _show_rows(self) -> None:
         """Show the rows that the search finds, and those that are refused."""
         words = self.search.words
-        shown = {row for row in self._present if row.matches(words) or row in self._refused}
+        shown: set[Row] = set()
+        for found in self._present:
+            row = found if found.matches(words) or found in self._refused else None
+            while row is not None:
+                shown.add(row)
+                row = row.above
         self._nothing.setVisible(not shown)
         for fold in (*self.panels, *self._groups.values()):
             fold.force(bool(words))

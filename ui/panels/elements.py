@@ -190,7 +190,7 @@ class _ElementRows(Rows):
         )
         (own,) = field.parts[0].fields()
         index = value_row(own, f"{path}.{own.name}")
-        index.indent()
+        index.put_under(material)
         return [material, index]
 
     def _material(self, choice: str) -> object:

@@ -47,6 +47,7 @@ class Row(QWidget):
         label = tr(field.title)
         self.label = DragLabel(label)
         self.changed = False  # whether its value is another than by default
+        self.above: Row | None = None
         self.of = ""  # the part whose field it is, where a panel has several of a kind
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
@@ -73,8 +74,9 @@ class Row(QWidget):
         """Keep space for a unit, so that the editors of a form end at one line."""
         self._unit.setMinimumWidth(self._unit.fontMetrics().horizontalAdvance(longest))
 
-    def indent(self) -> None:
-        """Move the label to the right: the field belongs to the one above."""
+    def put_under(self, above: "Row") -> None:
+        """Move the label to the right: the field belongs to one above, which is shown with it."""
+        self.above = self.above or above
         self.label.setIndent(self.label.indent() + _INDENT if self.label.indent() > 0 else _INDENT)
 
     def leave_undo(self) -> None:

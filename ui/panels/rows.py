@@ -94,7 +94,7 @@ class Rows:
             choice, *rows = self.of_kinds(field, kinds, path)
             for row in rows:
                 if row.level >= choice.level:  # else it stands elsewhere
-                    row.indent()
+                    row.put_under(choice)
             return [choice, *rows]
         if field.parts:
             return self.of_part(field.parts[0], path)

@@ -118,3 +118,11 @@ def test_tab_goes_through_the_fields_as_they_stand(forms, qtbot):
     assert all(
         after > before - 8 for before, after in pairwise(met)
     )  # those side by side are level
+
+
+def test_a_found_field_stands_below_what_it_belongs_to(begin, qtbot):
+    _, forms = begin("led-dome")
+    fill(qtbot, forms.search, "number of control points", key=None)
+    faces = [f"elements[0].faces[{k}]" for k in (0, 1)]
+    wanted = [f"{face}.{name}" for face in faces for name in ("shape", "control_points")]
+    assert seen(forms) == wanted
