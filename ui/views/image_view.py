@@ -179,7 +179,8 @@ class ImageView(PlotView):
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
             short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
-            texts = whole, short, value
+            both = [f"{whole} · {self._stated}"] if self._stated else []
+            texts = *both, whole, short, value
         width, wide = self._readout.width(), self._readout.fontMetrics().horizontalAdvance
         self._readout.setText(next((text for text in texts if wide(text) <= width), texts[-1]))
 
