@@ -30,6 +30,7 @@ class FaceMapView(ImageView):
         super().__init__()
         self.faces, self.chooser = FaceChoice(), Chooser()
         self.chooser.setAccessibleName(tr("What the map shows"))
+        self.chooser.setMinimumContentsLength(max(len(name) for name, _ in quantities))
         for number, (name, tip) in enumerate(quantities):
             self.chooser.addItem(capitalised(name))
             self.chooser.setItemData(number, f"<p>{tip}</p>", Qt.ItemDataRole.ToolTipRole)

@@ -159,6 +159,7 @@ def _colour(application: QApplication) -> None:
             background: palette(midlight); border-left: 4px solid palette(highlight);
             padding-left: 3px;
         }}
+        QFrame#handle {{ background: palette(highlight); }}
         QFrame#centre[active="true"] {{ border: 2px solid palette(highlight); }}
         QMainWindow > QTabBar {{
             qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true;

@@ -204,7 +204,6 @@ class _Handle(QFrame):
         super().__init__(parent)
         self._across = parent
         self.setObjectName("handle")  # for the style sheet
-        self.setAutoFillBackground(True)
         self.setCursor(Qt.CursorShape.SplitHCursor)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Handle between two images"))
