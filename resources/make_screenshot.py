@@ -78,7 +78,7 @@ def dialog_of(window: MainWindow, command: str) -> QPixmap:
 
 def make() -> None:
     """Design the flame in a window, and write ``readme/*.png`` on the way."""
-    application = begin()
+    theme.choose(begin(), "dark")
     window = open_window("flame", _SIZE)
 
     def take(name: str, picture: Callable[[], QPixmap] = window.grab) -> None:
@@ -87,7 +87,6 @@ def make() -> None:
     design(window)
     take("window")
     take("gallery", lambda: dialog_of(window, "gallery"))
-    application.styleHints().setColorScheme(Qt.ColorScheme.Dark)
     for command in ("go_surface", "go_section", "go_history", "sculpt"):
         window.commands[command].trigger()
     settle()
