@@ -39,30 +39,24 @@ def seen(view, show):
     return show(view, 380, 380)
 
 
-def stated(view):
-    """What the view states, wherever the pointer happens to be."""
-    view._shared.pointed.emit(None)
-    return view._readout.text()
-
-
 def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtbot):
     seen.show_frame(frame(1))
     assert seen.point.index == (6, 5)
-    qtbot.waitUntil(lambda: "changes by" in stated(seen), timeout=20_000)
+    qtbot.waitUntil(lambda: "changes by" in seen._readout.text(), timeout=20_000)
     scene = session.scene
     wanted = irradiance_derivative(scene, {"lens.back": np.full((12, 10), 0.49)}, (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wanted.map == 0)
-    assert f"{written(wanted.sum, digits=2)} per cm," in stated(seen)
-    assert stated(seen).startswith("x = 0.111 cm, y = 0.143 cm. ")
+    assert f"{written(wanted.sum, digits=2)} per cm," in seen._readout.text()
+    assert seen._readout.text().startswith("x = 0.111 cm, y = 0.143 cm. ")
 
 
 def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, qtbot):
     seen.show_frame(frame(1))
     qtbot.waitUntil(lambda: seen._map is not None and not seen.empty, timeout=20_000)
     seen.show_frame(frame(1, of=make_session({"filter": {"kind": "box"}})))
-    qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in stated(seen))
+    qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in seen._readout.text())
     qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() == 0)
     qtbot.waitUntil(lambda: seen.empty and "'box' counts rays" in seen._hint.text())

@@ -60,12 +60,6 @@ def view(frame, traces, show, qtbot):
     yield view
 
 
-def stated(view):
-    """What the view states, wherever the pointer happens to be."""
-    view._shared.pointed.emit(None)
-    return view._readout.text()
-
-
 def traced(view, frame, qtbot, rays=MANY):
     """Wait for the light at the shown distance; what it has to be."""
     scene, target = frame.session.scene, frame.session.target
@@ -79,8 +73,8 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
     scene = frame.session.scene
     assert view.z == scene.receiver.z
     found = traced(view, frame, qtbot)
-    assert f"z = {scene.receiver.z:.4g} cm (screen): error" in stated(view)
-    assert f"{100 * found.efficiency:.1f} % of the light" in stated(view)
+    assert f"z = {scene.receiver.z:.4g} cm (screen): error" in view._readout.text()
+    assert f"{100 * found.efficiency:.1f} % of the light" in view._readout.text()
     near, far = (view._z_of(part) for part in (500, 1500))
     top = scene.optic.highest
     assert near - top == pytest.approx((scene.receiver.z - top) / 2)
@@ -89,9 +83,17 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
         view._slider.setValue(part)
         assert view.z == z
         traced(view, frame, qtbot)
-        assert f"z = {z:.4g} cm: error" in stated(view)
+        assert f"z = {z:.4g} cm: error" in view._readout.text()
     view._back.click()
     assert view.z == scene.receiver.z
+
+
+def test_a_wide_view_states_value_and_distance(view, frame, qtbot):
+    traced(view, frame, qtbot)
+    view.resize(1500, 420)
+    view._shared.pointed.emit((0.0, 0.0))
+    assert " at x = 0 cm" in view._readout.text()
+    assert "z = 5 cm (screen): error" in view._readout.text()
 
 
 def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, traces, qtbot):
@@ -100,7 +102,7 @@ def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, tr
     for iteration in (2, 3, 4):
         view.show_frame(wavy(iteration))
     assert traces == []
-    assert "when the design rests" in stated(view)
+    assert "when the design rests" in view._readout.text()
     traced(view, wavy(4), qtbot)
     assert [rays for _, rays in traces] == [FEW, MANY]
 
