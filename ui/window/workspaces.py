@@ -70,6 +70,8 @@ class Workspaces(QObject):
             self.keep()
         self.name = name
         self._show()
+        if name in WORKSPACES:
+            self._panes.images.choose(WORKSPACES[name].image)
         self.changed.emit(name)
 
     def reset(self) -> None:
@@ -126,8 +128,6 @@ class Workspaces(QObject):
         kept = self._settings.value(self._key)
         if not (isinstance(kept, QByteArray) and self._window.restoreState(kept, _VERSION)):
             self._arrange()
-        if self.name in WORKSPACES:
-            self._panes.images.choose(WORKSPACES[self.name].image)
 
     def _arrange(self) -> None:
         window, docks = self._window, self._panes.docks
