@@ -43,8 +43,8 @@ PANES = {
 }
 """By name, in the order in which menus list them and the focus goes.
 
-What a pane holds is made where its libraries are loaded: see `ui.window.docks.Panes.put_views`, which
-refuses a table and widgets that do not agree.
+What a pane holds is made where its libraries are loaded: `ui.window.docks.Panes.put_views` refuses
+a table and widgets that do not agree.
 """
 
 
