@@ -350,8 +350,7 @@ class MainWindow(QMainWindow):
         self._view_state.restore(session.view)
 
     def _show_workspace(self, name: str) -> None:
-        shown = next(key for key, value in WORKSPACE_CHOICES.items() if value == name)
-        self.commands[shown].setChecked(True)
+        self.commands[f"workspace_{name}"].setChecked(True)
 
     def _watch_run(self) -> None:
         running = self.loaded is not None and self.loaded.state == "running"

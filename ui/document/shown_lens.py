@@ -149,7 +149,7 @@ class ShownLens(QObject):
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
-        self._frame: Frame | None = None
+        self.frame: Frame | None = None
         self._outdated = False
         self._wait = QTimer(self, singleShot=True, interval=_AT_ONCE_MS)
         self._wait.timeout.connect(lambda: self._mark(True))
@@ -158,15 +158,15 @@ class ShownLens(QObject):
         self.emptied.connect(self._empty)
 
     def _follow(self, session: "Session") -> None:
-        self._judge(self._frame is None or shows(self._frame, session))
+        self._judge(self.frame is None or shows(self.frame, session))
 
     def _store(self, frame: "Frame") -> None:
-        self._frame = frame
+        self.frame = frame
         self._mark(False)
         self._judge(lit_alike(frame.session, self._document.session))
 
     def _empty(self, session: "Session") -> None:
-        self._frame = None
+        self.frame = None
         self._judge(True)
 
     def _judge(self, up_to_date: bool) -> None:

@@ -30,11 +30,25 @@ from ui.views.shared_view import Part, Place
 from ui.widgets.native import rgb_image
 from workbench.pictures.axes import paint
 
-INK, PAPER, FILE_DPI = "black", "white", 200
-"""Colours and resolution of files, which are read and printed elsewhere."""
-
+# Colours and resolution of files, which are read and printed elsewhere.
+_INK, _PAPER, _FILE_DPI = "black", "white", 200
 _FILE_SIZE = 7.0  # inches
 _LARGE = 3.0  # pixels of the display for one of the image, which then has sharp edges
+
+
+def write_figure(figure: Figure, file: BinaryIO, format: str, **options: Any) -> None:
+    """Write a figure as "png" or "svg", black on white; it has other colours afterwards."""
+    paint(figure, _INK, _PAPER)
+    figure.savefig(file, format=format, dpi=_FILE_DPI, **options)
+
+
+def frame_focused(canvas: QWidget) -> None:
+    """Paint a frame on a canvas that has the keyboard focus."""
+    if canvas.hasFocus():
+        painter = QPainter(canvas)
+        painter.setPen(QPen(canvas.palette().highlight().color(), 1))
+        painter.drawRect(canvas.rect().adjusted(0, 0, -1, -1))
+        painter.end()
 
 
 class Touch(NamedTuple):
@@ -96,8 +110,7 @@ class ImageCanvas(QWidget):
 
     def write(self, file: BinaryIO, format: str) -> None:
         """Write what is seen as "png" or "svg" with axes, black on white."""
-        paint(self.figure, INK, PAPER)
-        self.figure.savefig(file, format=format, dpi=FILE_DPI, bbox_inches="tight")
+        write_figure(self.figure, file, format, bbox_inches="tight")
         self.recolour()
 
     def position_of(self, x: float, y: float) -> QPointF:
@@ -132,11 +145,8 @@ class ImageCanvas(QWidget):
             self._overlays.paint_marks(painter, self._transform)
             if self._hovered or self.hasFocus():
                 self._overlays.paint_scales(painter, self._seen)
-            painter.setClipping(False)
-        if self.hasFocus():
-            painter.setPen(QPen(self.palette().highlight().color(), 1))
-            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         painter.end()
+        frame_focused(self)
 
     def _settle(self) -> None:
         """Lay out the visible part, which is also that of files."""

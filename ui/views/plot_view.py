@@ -15,18 +15,11 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import (
-    QAction,
-    QKeyEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-)
+from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from ui.document.frame import same_task
-from ui.views.image_canvas import FILE_DPI, INK, PAPER, ImageCanvas
+from ui.views.image_canvas import ImageCanvas, frame_focused, write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.widgets.figures import translate, translate_axes
@@ -94,8 +87,7 @@ class PlotCanvas(FigureCanvasQTAgg):
 
     def write(self, file: BinaryIO, format: str) -> None:
         """Write the figure as "png" or "svg", black on white."""
-        paint(self.figure, INK, PAPER)
-        self.figure.savefig(file, format=format, dpi=FILE_DPI)
+        write_figure(self.figure, file, format)
         self.recolour()
         self.draw()
 
@@ -105,11 +97,7 @@ class PlotCanvas(FigureCanvasQTAgg):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.hasFocus():
-            painter = QPainter(self)
-            painter.setPen(QPen(self.palette().highlight().color(), 1))
-            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
-            painter.end()
+        frame_focused(self)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Lay out the axes; also called when the device pixel ratio changes."""

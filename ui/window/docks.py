@@ -124,10 +124,16 @@ class _Dock(QDockWidget):
         super().__init__(title, window)
         self.setObjectName(name)
         self.hide()
+        self._no_title = QWidget(self)
         self.seen = False  # neither hidden nor behind another tab
         self.visibilityChanged.connect(self._note)
         # Qt shows a tab of the menu's choice behind the other.
         self.toggleViewAction().triggered.connect(lambda shown: self.raise_() if shown else None)
+
+    def show_title(self, shown: bool) -> None:
+        """Show the title bar, or none: then the dock stays where it is."""
+        bar = None if shown else self._no_title
+        self.setTitleBarWidget(bar)  # type: ignore[arg-type]  # None restores Qt's own
 
     def _note(self, seen: bool) -> None:
         self.seen = seen

@@ -47,14 +47,15 @@ class ImagePanel(QFrame):
         )
         self._compare.setCheckable(True)
         self._compare.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-        self._menu = QMenu(self)
-        self._with = QActionGroup(self)
-        for name, mode in self._modes.items():
-            action = self._menu.addAction(mode.text(), partial(self.compare_with, name))
+        menu, one_of = QMenu(self), QActionGroup(self)
+        self._seconds = {
+            name: menu.addAction(mode.text(), partial(self.compare_with, name))
+            for name, mode in self._modes.items()
+        }
+        for action in self._seconds.values():
             action.setCheckable(True)
-            action.setData(name)
-            self._with.addAction(action)
-        self._compare.setMenu(self._menu)
+            one_of.addAction(action)
+        self._compare.setMenu(menu)
         self._compare.toggled.connect(self._show)
         self._bar.addSeparator()
         self._bar.addWidget(self._compare)
@@ -111,10 +112,8 @@ class ImagePanel(QFrame):
 
     def rename(self, name: str, title: str) -> None:
         """Give the buttons of a view another title."""
-        self._modes[name].setText(title)
-        for action in self._with.actions():
-            if action.data() == name:
-                action.setText(title)
+        for actions in (self._modes, self._seconds):
+            actions[name].setText(title)
 
     def _mode(self, name: str, one_of: QActionGroup) -> QAction:
         action = QAction(tr(PANES[name].title), self)
@@ -127,8 +126,7 @@ class ImagePanel(QFrame):
         if self._second == self._name:
             self._second = next(name for name in self._modes if name != self._name)
         self._modes[self._name].setChecked(True)
-        for action in self._with.actions():
-            action.setChecked(action.data() == self._second)
+        self._seconds[self._second].setChecked(True)
         self._views.show_views(self._name, self.compared)
         self.setFocusProxy(self._views.first)
 

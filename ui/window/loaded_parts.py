@@ -66,7 +66,6 @@ class LoadedParts(QObject):
         RunLog(document, self.control, early.log.add)
         self.findings = Findings(self.control, self.runs.error_of)
         self.cards = ResultCards(self.findings, early.commands)
-        self._frame: Frame | None = None  # that is shown
         made = {"scene": views.scene, "check": self.figures, "runs": self.runs.table}
         there.put_views({**views.around, **made, "result": self.cards})
         for name in panes.keys() & views.computing.keys():
@@ -205,13 +204,13 @@ class LoadedParts(QObject):
         self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
 
     def _show_frame(self, frame: "Frame") -> None:
-        self._frame, found = frame, self.runs.error_of(frame)
+        found = self.runs.error_of(frame)
         verified = "" if found is None else verified_error(found)
         self._early.status.show_frame(frame, self.control.busy, verified)
 
     def _refresh(self) -> None:
-        if self._frame is not None:
-            self._show_frame(self._frame)
+        if self.shown.frame is not None:
+            self._show_frame(self.shown.frame)
             self.findings.refresh()
 
     def _reword_check(self, under_way: bool) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QByteArray, QObject, QSettings, QSize, Qt, QTimer, Signal
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import LOOK, Commands
 from ui.commands.panes import WORKSPACES, Tabs
@@ -84,14 +84,13 @@ class Workspaces(QObject):
     def follow(self, session: "Session") -> None:
         """Arrange the panes anew where an image of another shape needs another place."""
         across, up = session.scene.receiver.half_extent
-        before, self._aspect = self._aspect, across / up
-        if self._is_wide(before) is not self._is_wide(self._aspect) and self.name in WORKSPACES:
+        before, self._aspect = self._wide, across / up
+        if self._wide is not before and self.name in WORKSPACES:
             self._show()
 
     def reveal(self, name: str, workspace: str) -> None:
         """Show a pane: in its workspace if it is not shown, unless docks are arranged by hand."""
-        seen = name in self._panes.docks and self._panes.docks[name].isVisible()
-        if not seen and self.name != CUSTOM:
+        if self.name != CUSTOM and not self._panes.place(name).isVisible():
             self.choose(workspace)
         self._panes.show(name)
 
@@ -117,14 +116,16 @@ class Workspaces(QObject):
 
     @property
     def _key(self) -> str:
-        shape = "" if self.name == CUSTOM else "-wide" * self._is_wide(self._aspect)
+        shape = "-wide" if self._wide and self.name != CUSTOM else ""
         return f"{_KEPT}/{self.name}{shape}"
+
+    @property
+    def _wide(self) -> bool:
+        return self._aspect > _WIDE
 
     def _show(self) -> None:
         for dock in self._panes.docks.values():
-            # An empty widget in place of a title bar: docks stay where they are.
-            bar = None if self.name == CUSTOM else QWidget()
-            dock.setTitleBarWidget(bar)  # type: ignore[arg-type]  # None restores Qt's own
+            dock.show_title(self.name == CUSTOM)
         kept = self._settings.value(self._key)
         if not (isinstance(kept, QByteArray) and self._window.restoreState(kept, _VERSION)):
             self._arrange()
@@ -159,7 +160,7 @@ class Workspaces(QObject):
     def _places(self) -> dict[Qt.DockWidgetArea, tuple[Tabs, ...]]:
         """Groups of docks by areas."""
         shown = WORKSPACES.get(self.name, WORKSPACES["design"])
-        if not self._is_wide(self._aspect):
+        if not self._wide:
             return {_LEFT_AREA: shown.left, _RIGHT_AREA: shown.right}
         below = tuple(group for group in shown.right if group == _SCENE)
         right = tuple(group for group in shown.right if group != _SCENE)
@@ -185,10 +186,6 @@ class Workspaces(QObject):
                 docks[group[0]]: round(s * height) for group, s in zip(groups, shares, strict=False)
             }
             window.resizeDocks(list(first), list(first.values()), _DOWNWARDS)
-
-    @staticmethod
-    def _is_wide(aspect: float) -> bool:
-        return aspect > _WIDE
 
 
 _WORKSPACE, _LAYOUT, _ON, _CAMERA = "workspace", "layout", "on", "camera"

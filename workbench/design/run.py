@@ -245,9 +245,8 @@ class _Goal:
         self._scene, self._target = scene, target
         # Radii are kept by a run that has settled: it does not end before.
         self._goal = 0.0 if scene.run.bends else scene.run.max_error or 0.0
-        self._needed = (
-            _OF_GOAL * self._goal
-        )  # error in the run's own light from which a lens is judged
+        self._least = _OF_GOAL * self._goal
+        self._needed = self._least  # in the run's own light, before a lens is judged
 
     def met_by(self, state: LensState) -> Message | None:
         """Why a run ends with this lens; None if its error in light of its own is above the goal.
@@ -260,8 +259,8 @@ class _Goal:
             return None
         light = method_of(self._scene).judged(self._scene, self._target, state.heights)
         error = own if light is None else relative_error(light.state, self._target)
-        if error > _OF_GOAL * self._goal:
-            self._needed = own * _OF_GOAL * self._goal / error
+        if error > self._least:
+            self._needed = own * self._least / error
             return None
         return Message(MET, error=percent(error), goal=percent(self._goal))
 

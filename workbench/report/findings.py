@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from workbench.analysis.metrics import lit
+from workbench.analysis.metrics import lit, uniformity
 from workbench.arrays import Array, Mask
 from workbench.design.checks import HIGH, coarse_net
 from workbench.design.loss import relative_error
@@ -211,7 +211,9 @@ def _uniformity(session: Session, result: Result, level: Level) -> Finding | Non
         region = _even_region(image.target)
         if region is None:
             return None
-        found.append(_evenness(light.irradiance[region] / image.target[region]))
+        even = uniformity(light.irradiance, image.target)
+        ratio = light.irradiance[region] / image.target[region]
+        found.append((even, float(ratio.min() / ratio.max()) if even else 0.0))
     over_mean, over_most = min(found)
     sentence = Message(
         "{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.",
@@ -234,12 +236,6 @@ def _even_region(target: Array) -> Mask | None:
     ends = [(row, column) for row in (rows, rows + 1) for column in (first, behind)]
     corners = np.concatenate([np.column_stack(end) for end in ends])
     return region if region.sum() >= _CONVEX * ConvexHull(corners).volume else None
-
-
-def _evenness(values: Array) -> tuple[float, float]:
-    """Least over mean, and least over most; 0 without light."""
-    least, most = float(values.min()), float(values.max())
-    return (least / float(values.mean()), least / most) if most > 0 else (0.0, 0.0)
 
 
 def _shortfall(session: Session, result: Result) -> Finding | None:

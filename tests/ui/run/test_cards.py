@@ -129,7 +129,7 @@ def test_a_goal_that_is_impossible_is_not_taken(window, run, qtbot, text):
 def test_cards_are_marked_within_a_tenth_of_a_second_after_an_edit(window, run, qtbot):
     run(SLOW_RUN)
     cards, error = window.loaded.cards, card(window, "error", qtbot)
-    qtbot.waitUntil(lambda: window.loaded.shown._frame.result.ended == SLOW_RUN)
+    qtbot.waitUntil(lambda: window.loaded.shown.frame.result.ended == SLOW_RUN)
     window.loaded.control._preview.setInterval(10_000_000)  # nothing comes of the next design
     move_screen(window.document, 7)
     assert window.loaded.shown._wait.interval() <= 100
@@ -143,7 +143,7 @@ def test_cards_are_marked_within_a_tenth_of_a_second_after_an_edit(window, run, 
 def test_cards_are_greyed_until_findings_of_the_new_lens_come(window, run, frames, qtbot):
     run(SLOW_RUN)
     cards, error = window.loaded.cards, card(window, "error", qtbot)
-    qtbot.waitUntil(lambda: window.loaded.shown._frame.result.ended == SLOW_RUN)
+    qtbot.waitUntil(lambda: window.loaded.shown.frame.result.ended == SLOW_RUN)
     window.loaded.control._preview.setInterval(10_000_000)
     move_screen(window.document, 7)
     qtbot.waitUntil(cards._veil.isVisible)
