@@ -14,10 +14,10 @@ from workbench.design.run import run
 from workbench.design.waves import FaceWaves
 from workbench.geometry.surface import ControlNet
 
-TASK = {"lens.control_points": [48, 48], "screen.pixels": [48, 48], "run.iterations": 60}
-# Steps of the reference from each of its starts, and by how much it may be better: first designs
-# that differ in small ways make runs 0.99 to 1.19 times as far off.
-STEPS, TOLERANCE = 150, 1.25
+TASK = {"lens.control_points": [48, 48], "screen.pixels": [48, 48], "run.iterations": 150}
+# Steps of the reference from each of its starts, and by how much it may be better: runs end 0.97 to
+# 1.12 times as far off.
+STEPS, TOLERANCE = 150, 1.18
 
 
 @pytest.fixture(scope="module")
@@ -56,9 +56,10 @@ def projected(scene, target, start):
     return min(errors)
 
 
-def test_a_run_ends_no_worse_than_long_projected_descents(make_scene, target):
+@pytest.mark.parametrize("part", [0.2, 0.25, 0.35])
+def test_a_run_ends_no_worse_than_long_projected_descents(make_scene, target, part):
     first = Bounds(make_scene(TASK | {"lens.height_range": None}), target).first["lens.back"]
-    most = 0.25 * np.ptp(first)  # half of the range that the first design needs
+    most = part * np.ptp(first)  # twice that is part of the range that the first design needs
     scene = make_scene(TASK | {"lens.height_range": [-most, most]})
     errors = []
     for snapshot in run(scene, target):

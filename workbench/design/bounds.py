@@ -129,6 +129,9 @@ _MARGIN = 0.02
 _TOLERABLE = 0.02
 # Control points along an axis of a coarser task, at least.
 _FEWEST_POINTS = 16
+# Control points for each of its pixels, at most. In 0.2 and 0.35 of the range that it needs, a
+# photograph ends at 12.8 and 7.4 % with 1.5 of them, at 11.5 and 8.7 % in twice the time with 3.
+_PER_PIXEL = 1.5
 
 
 class Bounds:
@@ -225,7 +228,10 @@ class Bounds:
         }
 
     def coarser(self, times: int) -> "Bounds":
-        """Bounds of the task with pixels and control points of each axis divided by ``times``."""
+        """Bounds of the task with pixels and control points of each axis divided by ``times``.
+
+        With fewer control points where the net has many for each pixel.
+        """
         receiver, optic = self.scene.receiver, self._ranged
         n_x, n_y = (count // times for count in receiver.pixels)
         into_y, into_x = (
@@ -233,8 +239,8 @@ class Bounds:
             for count, cells in zip(self.target.shape, (n_y, n_x), strict=True)
         )
         n_u, n_v = (
-            max(count // times, _FEWEST_POINTS, degree + 1)
-            for count, degree in zip(optic.net_shape, optic.degree, strict=True)
+            max(min(count // times, round(_PER_PIXEL * pixels)), _FEWEST_POINTS, degree + 1)
+            for count, pixels, degree in zip(optic.net_shape, (n_x, n_y), optic.degree, strict=True)
         )
         scene = self.scene.with_optic(optic.shaped(control_points=(n_u, n_v)))
         scene = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
