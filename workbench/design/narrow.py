@@ -6,7 +6,7 @@ and control points, whose steps cost next to nothing, and is carried to finer on
 the surface within the range whose slopes are closest to those of the first design.
 
 In half of the range that the first design needs, a photograph of 128 × 128 pixels ends at 11 % in
-place of 48 %, and at 16 % after 320 steps on the fine net alone.
+place of 31 %.
 """
 
 from collections.abc import Callable, Mapping
