@@ -1025,13 +1025,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Inferno</source>
-            <translation>Inferno</translation>
+            <source>By &amp;target</source>
+            <translation>Nach dem &amp;Ziel</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Colour map of images and 3D screen</source>
-            <translation>Farbskala der Bilder und des 3D-Schirms</translation>
+            <source>Colour map of images and 3D screen. By target: pictures as they are seen, unless the light is in lux; other light in Inferno</source>
+            <translation>Farbskala der Bilder und des Schirms in 3D. Nach dem Ziel: Fotos und Zeichnungen, wie man sie sieht, außer bei Licht in Lux; anderes Licht in Inferno</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As &amp;seen</source>
+            <translation>&amp;Wie gesehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Inferno</source>
+            <translation>Inferno</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1042,11 +1052,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cividis</source>
             <translation>Cividis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Gray</source>
-            <translation>Grau</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4537,6 +4542,16 @@
             <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours over three decades, to see stray light</source>
             <translation>Logarithmische Farben über drei Dekaden, um Streulicht zu sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Contours</source>
+            <translation>Höhenlinien</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Lines of equal light, with their values</source>
+            <translation>Linien gleicher Beleuchtung mit ihren Werten</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />

@@ -1025,13 +1025,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Inferno</source>
-            <translation>Inferno</translation>
+            <source>By &amp;target</source>
+            <translation>Selon la &amp;cible</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Colour map of images and 3D screen</source>
-            <translation>Échelle de couleurs des images et de l'écran 3D</translation>
+            <source>Colour map of images and 3D screen. By target: pictures as they are seen, unless the light is in lux; other light in Inferno</source>
+            <translation>Palette des images et de l'écran 3D. Selon la cible : les images telles qu'on les voit, sauf lumière en lux ; autre lumière en Inferno</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As &amp;seen</source>
+            <translation>&amp;Comme vu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Inferno</source>
+            <translation>Inferno</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1042,11 +1052,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cividis</source>
             <translation>Cividis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Gray</source>
-            <translation>Gris</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4537,6 +4542,16 @@
             <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours over three decades, to see stray light</source>
             <translation>Couleurs logarithmiques sur trois décades, pour voir la lumière parasite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Contours</source>
+            <translation>Lignes de niveau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Lines of equal light, with their values</source>
+            <translation>Lignes d'égale lumière, avec leurs valeurs</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />

@@ -4,14 +4,17 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from workbench.pictures.axes import SIGNED, paint, round_scale
+from workbench.pictures.axes import AS_SEEN, SIGNED, paint, round_scale
 from workbench.pictures.images import (
     IrradianceImage,
     PhotoImage,
+    colours_for,
     full_scale,
     signed_error,
     target_irradiance,
+    to_colours,
 )
+from workbench.targets.colour import SRGB
 
 
 @pytest.fixture
@@ -120,3 +123,16 @@ def test_a_photo_lies_as_its_viewer_sees_the_receiver(axes, make_scene, rng, sid
     (image,) = axes.images
     np.testing.assert_array_equal(image.get_array(), colours)
     assert tuple(image.get_extent()) == (*ends, -1.0, 1.0)
+
+
+def test_pictures_are_shown_as_seen_and_light_in_lux_in_colours(make_scene):
+    picture = {"target": {"image": "picture.png"}}
+    assert colours_for(make_scene(picture)) == AS_SEEN
+    assert colours_for(make_scene()) == "inferno"
+
+
+def test_greys_as_seen_are_those_of_the_picture():
+    stored = np.arange(256)
+    greys = to_colours(SRGB.light(stored / 255), 1.0, AS_SEEN)
+    assert np.abs(greys[:, 0].astype(int) - stored).max() <= 1
+    assert (greys[:, 0] == greys[:, 2]).all()

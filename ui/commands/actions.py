@@ -347,10 +347,10 @@ _COLOURS_KEY = "view/colours"
 
 def keep_colours(settings: QSettings, commands: Commands) -> None:
     """Restore the stored colours of light, and store choices of the user, not those of a design."""
-    kept = f"colours_{settings.value(_COLOURS_KEY)}"
-    if kept in COLOURS:
-        commands[kept].setChecked(True)
+    kept = settings.value(_COLOURS_KEY)
     for command, name in COLOURS.items():
+        if name == kept:
+            commands[command].setChecked(True)
         commands[command].triggered.connect(
             lambda _, name=name: settings.setValue(_COLOURS_KEY, name)
         )

@@ -41,7 +41,14 @@ RAYS = {f"rays_{rays}": rays for rays in (0, 5, 9, 15, 45)}
 """Commands for the number of rays in the 3D scene, along each axis."""
 _FIRST_RAYS = 9
 
-COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
+_COLOURS = {
+    "colours_by_target": ("By &target", ""),
+    "colours_as_seen": ("As &seen", "as seen"),
+    "colours_inferno": ("Inferno", "inferno"),
+    "colours_viridis": ("Viridis", "viridis"),
+    "colours_cividis": ("Cividis", "cividis"),
+}
+COLOURS = {command: name for command, (_, name) in _COLOURS.items()}
 """Commands for the colours in which light is shown; see `workbench.pictures.axes.UNSIGNED`."""
 
 THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
@@ -162,11 +169,12 @@ COMMANDS = {
     },
     **{
         command: Command(
-            name.capitalize(),
-            "Colour map of images and 3D screen",
-            checked=command == "colours_inferno",
+            title,
+            "Colour map of images and 3D screen. By target: pictures as they are seen, unless the "
+            "light is in lux; other light in Inferno",
+            checked=not name,
         )
-        for command, name in COLOURS.items()
+        for command, (title, name) in _COLOURS.items()
     },
     **{
         command: Command(

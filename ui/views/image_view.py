@@ -132,7 +132,7 @@ class ImageView(PlotView):
     def _options(self) -> tuple[object, ...]:
         """What makes another image of the same light."""
         now = self._shared.now
-        return now.number, now.logarithmic, now.colours
+        return now.number, now.logarithmic, now.colours, now.contours
 
     def _follow(self) -> None:
         if self._options() != self._look:

@@ -21,7 +21,7 @@ from ui.words import capitalised, later, tr
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
-from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
+from workbench.pictures.images import ErrorImage, IrradianceImage, suits_contours, target_irradiance
 from workbench.pictures.regions import RegionMarks
 from workbench.scene.image import inverted, pixel_side, side_in_words
 
@@ -199,15 +199,22 @@ class LightImageView(ScreenImageView):
             tr("Logarithmic colours over three decades, to see stray light"),
         )
         self._logarithmic.toggled.connect(self._shared.slot("logarithmic"))
+        self._contours = self._add_tool(
+            "contours", tr("Contours"), tr("Lines of equal light, with their values")
+        )
+        self._contours.clicked.connect(self._shared.slot("contours"))
 
     def _new_image(self, axes: "Axes", session: "Session") -> IrradianceImage:
         image = IrradianceImage(axes, session.scene, session.target, self._NAME)
+        shown = self._shared.now.contours
+        image.outlined = suits_contours(session.scene) if shown is None else shown
         image.set_logarithmic(self._shared.now.logarithmic)
         image.set_colours(self._shared.now.colours)
         return image
 
     def _adapt(self) -> bool:
         self._logarithmic.setChecked(self._shared.now.logarithmic)
+        self._contours.setChecked(self._image.outlined)
         return super()._adapt()
 
 

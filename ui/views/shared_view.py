@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 
 from workbench.geometry.faces import ControlPoint
-from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
     from workbench.pictures.surface import FaceColours
@@ -30,6 +29,7 @@ class ViewOptions:
     marking: bool = False  # whether dragging and clicking mark regions
     draft: tuple[Place, ...] = ()  # outline of the region that is being drawn
     logarithmic: bool = False
+    contours: bool | None = None  # lines of equal light; None where they help
 
     rays: int = 15  # along each axis: a divisor of `ui.document.frame.RAYS`, or 0
     exploded: bool = False
@@ -38,7 +38,7 @@ class ViewOptions:
     faces: "FaceColours" = "material"
     exaggerated: bool = False
 
-    colours: str = LIGHT  # one of `workbench.pictures.axes.UNSIGNED`
+    colours: str = ""  # one of `workbench.pictures.axes.UNSIGNED`; by default that for the scene
     number: int = 0  # of the scene's image
     point: ControlPoint | None = None  # whose derivative is shown
 

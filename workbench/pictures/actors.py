@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
 from workbench.arrays import Array
 from workbench.pictures import meshes
-from workbench.pictures.images import LIGHT, full_scale, to_colours
+from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import power_of, with_power
 from workbench.scene import AnyReceiver, Element, WantedImage
 
@@ -138,14 +138,14 @@ class LitReceiver:
         rim = pv.PolyData(around, lines=[len(around), *range(len(around))])
         self.frame = add(rim, line_width=1.5, lighting=False)
 
-    def paint(self, irradiance: Array, colours: str = LIGHT) -> None:
-        """Show an irradiance (n_y, n_x) in one of the colour maps `UNSIGNED`."""
+    def paint(self, irradiance: Array, colours: str = "") -> None:
+        """Show an irradiance (n_y, n_x); for `colours` see `IrradianceImage.set_colours`."""
         n_y, n_x = irradiance.shape
         thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
         shown = irradiance[tuple(thin)]
         scene = self._wanted.scene
         top = full_scale(scene, self._wanted.target, scene.receiver.total(irradiance))
-        texels = to_colours(shown, top, colours)[::-1]
+        texels = to_colours(shown, top, colours or colours_for(scene))[::-1]
         self._texels.dimensions = (texels.shape[1], texels.shape[0], 1)
         self._texels.point_data["colour"] = texels.reshape(-1, 3)
         self._texels.point_data.active_scalars_name = "colour"

@@ -9,7 +9,7 @@ from matplotlib import colormaps
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
-from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
+from matplotlib.colors import Colormap, LinearSegmentedColormap, ListedColormap, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import (
     FixedLocator,
@@ -21,6 +21,7 @@ from matplotlib.ticker import (
 
 from workbench.arrays import Array
 from workbench.powers import power_of, with_power, without_power, written
+from workbench.targets.colour import SRGB
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,7 +35,9 @@ _MOST_DECIMALS = 12
 _SLACK = 1e-4  # rounding of tick labels, in parts of the axis
 SIGNED = "RdBu_r"
 """Colour map of signed values."""
-UNSIGNED = ("inferno", "viridis", "cividis", "gray")
+AS_SEEN = "as seen"
+"""Colour map of light in greys that a monitor shows as the light itself."""
+UNSIGNED = ("inferno", "viridis", "cividis", AS_SEEN)
 """Colour maps of values from zero on, perceptually uniform, readable without red and green."""
 FONT = 8
 _DIGITS = 3  # of a coordinate
@@ -43,6 +46,10 @@ _ROUNDING = 1e-9  # relative to the values
 _SHOWN_PART = 0.995  # of all values; a few at an edge must not hide the rest
 _ON_DARK = "signed on "  # prefix of a signed colour map's name, before the background
 _BELOW, _ABOVE = "#6fb7ff", "#ff8f73"  # ends of that colour map, equally bright
+_GREYS = 4096  # as many as a monitor tells apart in the dark
+
+_seen = SRGB.stored(np.linspace(0, 1, _GREYS))
+colormaps.register(ListedColormap(np.stack([_seen] * 3, -1).tolist(), name=AS_SEEN), force=True)
 
 
 class UpdatedPicture:

@@ -19,8 +19,8 @@ from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.axes import SIGNED, round_scale
 from workbench.pictures.images import (
-    LIGHT,
     DerivativeImage,
+    colours_for,
     full_scale,
     signed_error,
     target_irradiance,
@@ -280,7 +280,7 @@ def _block(block: SubFigure, design: "ExampleDesign") -> None:
     scene, target = design.scene, design.target
     # At a total flux of 1, as the target: how little light comes this way is written above.
     light = target_irradiance(scene, design.result.state.irradiance)
-    _image(lit, scene, light, LIGHT, (0, full_scale(scene, target)))
+    _image(lit, scene, light, colours_for(scene), (0, full_scale(scene, target)))
     error = signed_error(scene, target, design.result.state.irradiance)
     most = round_scale(float(np.quantile(np.abs(error), 0.995)))
     _image(off, scene, error, SIGNED, (-most, most))

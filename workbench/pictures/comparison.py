@@ -11,7 +11,7 @@ from workbench.design.session import KeptRun, Session
 from workbench.measured.lamps import LightUnit, light_unit
 from workbench.messages import Message
 from workbench.pictures.axes import FONT, SIGNED, Extent, colour_bar, pixel_at, stable_scale
-from workbench.pictures.images import LIGHT, full_scale, receiver_map
+from workbench.pictures.images import colours_for, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.powers import written
 from workbench.scene import Scene, Unit
@@ -75,7 +75,7 @@ class Comparison:
         top = max(one.top, other.top)
         self._places = dict(zip((first, second), self.lights, strict=True))
         for (axes, light), title in zip(self._places.items(), self.titles, strict=True):
-            image = receiver_map(axes, light.name, light.scene, LIGHT)
+            image = receiver_map(axes, light.name, light.scene, colours_for(light.scene))
             image.set_data(light.irradiance)
             image.set_clim(0, top if alike else light.top)
             colour_bar(axes, image, light.unit.words, extend="max")

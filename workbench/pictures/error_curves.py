@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from workbench.arrays import Array
 from workbench.messages import Message
 from workbench.pictures.axes import FONT, label_curves, set_round_ticks, set_tick_labels
-from workbench.pictures.images import LIGHT, full_scale
+from workbench.pictures.images import colours_for, full_scale
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -39,9 +39,10 @@ def draw_focus(
     panels = above.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
         axes.set_axis_off()
+    colours = colours_for(scene)
     for axes, number in zip(panels, chosen, strict=False):
         image = series[number]
-        axes.imshow(image.irradiance, LIGHT, vmin=0, vmax=top, extent=(-r_x, r_x, -r_y, r_y))
+        axes.imshow(image.irradiance, colours, vmin=0, vmax=top, extent=(-r_x, r_x, -r_y, r_y))
         axes.set_title(f"z = {image.z:.6g} {scene.unit}", fontsize=FONT)
     _draw_curves(below.subplots(), scene, series)
 

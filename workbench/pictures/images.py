@@ -19,6 +19,7 @@ from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.messages import Message
 from workbench.pictures.axes import (
+    AS_SEEN,
     SIGNED,
     UNSIGNED,
     Extent,
@@ -28,13 +29,14 @@ from workbench.pictures.axes import (
     round_scale,
     stable_scale,
 )
-from workbench.scene import Scene
+from workbench.pictures.contours import Contours
+from workbench.scene import ImageTarget, Scene
 from workbench.scene.image import inverted
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LIGHT = UNSIGNED[0]
+_LIGHT, _LEVELS = UNSIGNED[0], 4096
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel
 _DECADES = 1e3  # range of a logarithmic scale
 _ROUNDING = 1e-9
@@ -79,16 +81,32 @@ def full_scale(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> flo
     return _HEADROOM * float(target_irradiance(scene, target).max()) * math.pow(2.0, step / _STEPS)
 
 
-def to_colours(irradiance: Array, top: float, colours: str = LIGHT) -> npt.NDArray[np.uint8]:
+def colours_for(scene: Scene) -> str:
+    """Return the colour map that shows the light of a scene best.
+
+    Pictures are shown as they are seen; other light, and light in lux, so that small differences
+    are seen.
+    """
+    pictures = any(isinstance(image.target, ImageTarget) for image in scene.images)
+    return AS_SEEN if pictures and not suits_contours(scene) else _LIGHT
+
+
+def suits_contours(scene: Scene) -> bool:
+    """Return whether lines of equal light help to read an image: where it is in lux or candela."""
+    return light_unit(scene).lumens is not None
+
+
+def to_colours(irradiance: Array, top: float, colours: str) -> npt.NDArray[np.uint8]:
     """Return colours (n_y, n_x, 3) of an irradiance (n_y, n_x) on a scale from 0 to ``top``."""
-    levels = np.clip(irradiance * (255 / top), 0, 255).astype(np.uint8)
+    levels = np.clip(irradiance * ((_LEVELS - 1) / top), 0, _LEVELS - 1).astype(np.uint16)
     return _table(colours)[levels]
 
 
 class IrradianceImage(UpdatedPicture):
     """Irradiance on axes of the caller.
 
-    ``values`` (n_y, n_x) is the shown image in the scene's `LightUnit`.
+    ``values`` (n_y, n_x) is the shown image in the scene's `LightUnit`; ``outlined``: whether
+    lines of equal light are drawn from the next update on.
     """
 
     values: Array
@@ -97,8 +115,10 @@ class IrradianceImage(UpdatedPicture):
         self, axes: "Axes", scene: Scene, target: npt.NDArray[Any], name: str = ""
     ) -> None:
         self._scene, self._target, self._unit = scene, target, light_unit(scene)
-        self._image = receiver_map(axes, name or scene.receiver.density, scene, LIGHT)
-        self.set_colours(LIGHT)
+        self._image = receiver_map(axes, name or scene.receiver.density, scene, _LIGHT)
+        self.set_colours("")
+        self._contours = Contours(axes, Extent.of_receiver(scene))
+        self.outlined = False
         self._logarithmic = False
         self._top = self._unit.density * full_scale(scene, target)
         self._image.set_clim(0, self._top)
@@ -112,14 +132,20 @@ class IrradianceImage(UpdatedPicture):
         self._image.set_data(self.values)
         flux = self._scene.receiver.total(irradiance)
         top = factor * full_scale(self._scene, self._target, flux)
-        if top == self._top:
-            return False
-        self._top = top
-        self.set_logarithmic(self._logarithmic)
-        return True
+        rescaled = top != self._top
+        if rescaled:
+            self._top = top
+            self.set_logarithmic(self._logarithmic)
+        if self.outlined:
+            self._contours.show(self.values, top)
+        return rescaled
 
     def set_colours(self, name: str) -> None:
-        """Set the colour map, one of `UNSIGNED`; the whole figure changes."""
+        """Set one of the colour maps `UNSIGNED`, or that for the scene; the whole figure changes.
+
+        `name`: empty for that of the scene, see `colours_for`.
+        """
+        name = name or colours_for(self._scene)
         dark = colormaps[name](0.0)  # also for zero, which has no logarithm
         self._image.set_cmap(colormaps[name].with_extremes(bad=dark))
 
@@ -168,7 +194,7 @@ def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:
-    return np.asarray(colormaps[name](np.arange(256), bytes=True)[:, :3])
+    return np.asarray(colormaps[name](np.linspace(0, 1, _LEVELS), bytes=True)[:, :3])
 
 
 class DerivativeImage(UpdatedPicture):

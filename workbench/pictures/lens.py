@@ -28,7 +28,6 @@ from workbench.pictures.actors import ColourScale, LitReceiver
 from workbench.pictures.camera import FittedCamera, axes_of, drawn_start_z, source_in_view
 from workbench.pictures.compressed import compress_distances, compress_paths
 from workbench.pictures.elements import DesignedElement, add_fixed_elements
-from workbench.pictures.images import LIGHT
 from workbench.pictures.surface import (
     FaceColours,
     colour_scale_of,
@@ -75,7 +74,7 @@ class LensPicture:
         self._plotter = plotter
         self._traced, self._explode = scene, explode
         self._scene = compress_distances(scene) if explode else scene  # as it is drawn
-        self._colours = LIGHT
+        self._colours = ""
         self._face_colours: FaceColours = "material"
         self._exaggerated, self._title = False, ""
         self._dark = dark

@@ -16,7 +16,7 @@ def window(display, window):
 
 
 def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
-    assert window.commands["colours_inferno"].isChecked()
+    assert window.commands["colours_by_target"].isChecked()
     window.commands["colours_cividis"].trigger()
     assert window.loaded.views.shared.now.colours == "cividis"
     irradiance = window.loaded.views.around["irradiance"]

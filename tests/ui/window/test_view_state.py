@@ -29,12 +29,12 @@ def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbo
     save(window, path)
     assert not window.document.dirty
     window.commands["workspace_check"].trigger()
-    for name in ("exploded", "rays_45", "colours_gray"):
+    for name in ("exploded", "rays_45", "colours_as_seen"):
         window.commands[name].trigger()
     assert not window.document.dirty
     assert window.files.open(path)
     assert shown(window) == wanted and window.workspaces.name == "design"
-    switches = ("exploded", "rays_5", "rays_45", "colours_viridis", "colours_gray")
+    switches = ("exploded", "rays_5", "rays_45", "colours_viridis", "colours_as_seen")
     on = [name for name in switches if window.commands[name].isChecked()]
     assert on == ["exploded", "rays_5", "colours_viridis"]
     assert not window.document.dirty and window.document.undo_stack.count() == 0

@@ -1,0 +1,62 @@
+"""Lines of equal light over an image."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from contourpy import contour_generator
+from matplotlib.ticker import MaxNLocator
+
+from workbench.arrays import Array
+from workbench.design.transport.view import overlaps
+from workbench.pictures.axes import Extent
+from workbench.powers import written
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+_LINES = 6  # at most
+# Cells along an axis, at most: finer ones show noise, and are slow for large images.
+_CELLS = 192
+_LOOK: dict[str, Any] = {"color": "#e8ecf2", "linewidth": 0.8}
+_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True, "ha": "left", "va": "top"}
+_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
+
+
+class Contours:
+    """Contour lines with numbers at round values of a scale."""
+
+    def __init__(self, axes: "Axes", extent: Extent) -> None:
+        self._axes, self._bounds = axes, extent.bounds
+        self._artists: list[Artist] = []
+
+    def show(self, values: Array, top: float) -> None:
+        """Draw lines of an image (n_y, n_x), row 0 at the upper edge, on a scale up to ``top``."""
+        self.clear()
+        left, right, bottom, upper = self._bounds
+        n_y, n_x = (min(count, _CELLS) for count in values.shape)
+        into_y, into_x = (
+            overlaps(count, cells) * (cells / count)
+            for count, cells in zip(values.shape, (n_y, n_x), strict=True)
+        )
+        coarse = into_y @ values @ into_x.T
+        x = left + (np.arange(n_x) + 0.5) * ((right - left) / n_x)
+        y = upper - (np.arange(n_y) + 0.5) * ((upper - bottom) / n_y)
+        found = contour_generator(x, y, coarse)
+        levels = MaxNLocator(_LINES, steps=[1, 2, 5, 10]).tick_values(0, top)
+        for level in levels[(levels > 0) & (levels < top)].tolist():
+            lines = [np.asarray(line) for line in found.lines(level)]
+            for line in lines:
+                self._artists += self._axes.plot(*line.T, **_LOOK)
+            if lines:
+                longest = max(lines, key=len)
+                at = longest[longest[:, 0].argmax()]
+                self._artists.append(
+                    self._axes.text(*at, written(level, digits=3), bbox=_BOX, **_TEXT)
+                )
+
+    def clear(self) -> None:
+        """Remove the lines."""
+        for artist in self._artists:
+            artist.remove()
+        self._artists = []
