@@ -3129,6 +3129,26 @@
             <translation>{count} geändert</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Picture with the part that is kept</source>
+            <translation>Bild mit dem Teil, der bleibt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Crop the picture</source>
+            <translation>Bild zuschneiden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>&amp;Whole picture</source>
+            <translation>&amp;Ganzes Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
+            <translation>Es bleiben {width:.0f} × {height:.0f} % des Bildes, Seitenverhältnis {aspect:.2f}</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>die Aufgabe hat dieses Feld nicht mehr</translation>
@@ -3307,6 +3327,36 @@
             <location filename="../../ui/panels/images.py" />
             <source>An image file can also be dropped onto the window.</source>
             <translation>Eine Bilddatei lässt sich auch auf das Fenster ziehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Crop…</source>
+            <translation>Zuschneiden…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Choose the part of the picture that is used</source>
+            <translation>Den Teil des Bildes wählen, der verwendet wird</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Turn the picture by a quarter to the right</source>
+            <translation>Das Bild um ein Viertel nach rechts drehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>crop of the picture</source>
+            <translation>Zuschnitt des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>turn of the picture</source>
+            <translation>Drehung des Bildes</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -6278,11 +6328,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Without a border</source>
             <translation>Ohne Rand</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Turn</source>
-            <translation>Drehen</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -3129,6 +3129,26 @@
             <translation>{count} modif.</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Picture with the part that is kept</source>
+            <translation>Image avec la partie conservée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Crop the picture</source>
+            <translation>Recadrer l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>&amp;Whole picture</source>
+            <translation>Image &amp;entière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/crop.py" />
+            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
+            <translation>Conservé : {width:.0f} × {height:.0f} % de l'image, rapport {aspect:.2f}</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>la tâche n'a plus ce champ</translation>
@@ -3307,6 +3327,36 @@
             <location filename="../../ui/panels/images.py" />
             <source>An image file can also be dropped onto the window.</source>
             <translation>Un fichier d'image peut aussi être déposé sur la fenêtre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Crop…</source>
+            <translation>Recadrer…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Choose the part of the picture that is used</source>
+            <translation>Choisir la partie de l'image utilisée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Turn</source>
+            <translation>Tourner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Turn the picture by a quarter to the right</source>
+            <translation>Tourner l'image d'un quart à droite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>crop of the picture</source>
+            <translation>recadrage de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>turn of the picture</source>
+            <translation>rotation de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -6278,11 +6328,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Without a border</source>
             <translation>Sans bord</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Turn</source>
-            <translation>Tourner</translation>
         </message>
         <message>
             <location filename="../../workbench" />

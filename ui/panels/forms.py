@@ -48,6 +48,7 @@ class Forms(FormArea):
             asking.image_asked.connect(partial(self._ask_image, asking))
         self._source.file_asked.connect(self.light_asked)
         self._target.image_again.connect(self._read_image_again)
+        self._target.refused.connect(self.file_refused)
         document.session_changed.connect(self._show_change)
         # A field takes Esc for its own text; this is for what was refused in any of them.
         self._escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), self)

@@ -4,18 +4,20 @@ from collections.abc import Set
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
+from ui.panels.crop import CropDialog
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
 from ui.panels.rows import Make, Rows, connect_asked, file_rows
 from ui.panels.text_rows import PairsRow
-from ui.widgets.native import ScaledImage
-from ui.words import in_sentence, tr
+from ui.widgets.controls import STRETCH, filled
+from ui.widgets.native import ScaledImage, grey_image
+from ui.words import error_text, in_sentence, tr
 from workbench.arrays import Array
+from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.powers import written
 from workbench.scene import (
@@ -23,13 +25,13 @@ from workbench.scene import (
     FieldDescription,
     Finish,
     Image,
+    ImageTarget,
     Kinds,
     RectangleRegion,
     Scene,
 )
 from workbench.scene.image import as_viewed
 from workbench.scene.part import title_of
-from workbench.targets.colour import SRGB
 from workbench.units import sized
 
 _ENDINGS = (
@@ -56,12 +58,25 @@ class TargetPanel(PartPanel):
 
     image_asked = Signal()
     image_again = Signal()
+    refused = Signal(str)
 
     def __init__(self, field: FieldDescription) -> None:
         dropped = tr("An image file can also be dropped onto the window.")
         super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
         connect_asked(self.rows, self.image_asked.emit)
         self._thumbnail = Thumbnail()
+        self._tools = QWidget()
+        row = filled(QHBoxLayout(self._tools), STRETCH, margins=0)
+        for text, tip, act in (
+            (tr("Crop…"), tr("Choose the part of the picture that is used"), self.crop),
+            (tr("Turn"), tr("Turn the picture by a quarter to the right"), self.turn),
+        ):
+            button = QPushButton(text)
+            button.setToolTip(tip)
+            button.clicked.connect(act)
+            row.addWidget(button)
+        row.addStretch(1)
+        self._form.insertRow(0, self._tools)
         self._form.insertRow(0, self._thumbnail)
 
     def own_rows(self) -> dict[str, Make]:
@@ -71,6 +86,35 @@ class TargetPanel(PartPanel):
         super().show_session(session, present, pending)
         r_u, r_v = session.scene.receiver.half_extent
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
+        self._form.setRowVisible(self._tools, isinstance(session.scene.target, ImageTarget))
+
+    def crop(self) -> None:
+        """Ask which part of the picture is used."""
+        from workbench.targets import picture_light  # late: takes long to import
+
+        target = self.session.scene.target
+        assert isinstance(target, ImageTarget)  # or there is no such button
+        whole = target.model_copy(update={"crop": (0.0,) * 4, "turn": "none", "invert": False})
+        try:
+            light = picture_light(whole, self.session.picture)
+        except Refused as refused:
+            self.refused.emit(error_text(refused))
+            return
+        dialog = CropDialog(light, target.crop, self)
+        if dialog.exec() and dialog.crop != target.crop:
+            self._change("crop", tr("crop of the picture"), list(dialog.crop))
+        dialog.deleteLater()
+
+    def turn(self) -> None:
+        """Turn the picture by a quarter to the right."""
+        target = self.session.scene.target
+        assert isinstance(target, ImageTarget)
+        turned = {"none": "right", "right": "around", "around": "left", "left": "none"}
+        self._change("turn", tr("turn of the picture"), turned[target.turn])
+
+    def _change(self, field: str, text: str, value: object) -> None:
+        path = f"{self.path}.{field}"
+        self.edited.emit(Edit(path, text, {path: value}, waits=False))
 
     def choose_image(self, path: Path) -> None:
         """Use an image file as the target; the current one is reloaded."""
@@ -100,11 +144,7 @@ class Thumbnail(ScaledImage):
 
     def show_target(self, target: Array, aspect: float) -> None:
         """Show an image (n_y, n_x) with an aspect ratio; its peak is white."""
-        # As much light of the monitor for each pixel as there is on the screen.
-        greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")
-        rows, columns = greys.shape
-        view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
-        self.show_image(view.copy(), aspect)  # the array is gone after this
+        self.show_image(grey_image(target), aspect)
 
 
 _FARTHER = 1.2  # times as far from the lens as the receiver before

@@ -29,7 +29,7 @@ from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
 from workbench.extended.bound import percent
 from workbench.pictures.comparison import Comparison
-from workbench.pictures.images import full_scale, to_colours
+from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import written
 from workbench.report.scene_rows import differences
 
@@ -56,7 +56,7 @@ def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
     receiver, light = run.scene.receiver, run.result.state.irradiance
     top = full_scale(run.scene, run.target, receiver.total(light))
     step = max(1, max(light.shape) // (2 * side))
-    image = rgb_image(to_colours(light[::step, ::step], top))
+    image = rgb_image(to_colours(light[::step, ::step], top, colours_for(run.scene)))
     (r_x, r_y) = receiver.half_extent
     width, height = (round(side * r / max(r_x, r_y)) or 1 for r in (r_x, r_y))
     stretched, smooth = (

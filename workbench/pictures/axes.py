@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.colors import Colormap, LinearSegmentedColormap, ListedColormap, to_rgb
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from matplotlib.ticker import (
     FixedLocator,
     Formatter,
@@ -214,6 +215,14 @@ def label_curves(axes: Axes, x: str, y: str) -> None:
     axes.set_ylabel(y, fontsize=FONT, labelpad=2)
     axes.tick_params(which="both", labelsize=FONT)
     axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
+
+
+def label_place(axes: "Axes", place: Sequence[float], text: str, across: str, down: str) -> Text:
+    """Write a small text over an image; ``across`` and ``down``: which side of it the place is."""
+    box = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
+    return axes.text(
+        place[0], place[1], text, fontsize="x-small", clip_on=True, ha=across, va=down, bbox=box
+    )
 
 
 def set_round_ticks(axes: "Axes") -> None:

@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 
 from workbench.arrays import Array
 from workbench.design.transport.view import overlaps
-from workbench.pictures.axes import Extent
+from workbench.pictures.axes import Extent, label_place
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -19,8 +19,6 @@ _LINES = 6  # at most
 # Cells along an axis, at most: finer ones show noise, and are slow for large images.
 _CELLS = 192
 _LOOK: dict[str, Any] = {"color": "#e8ecf2", "linewidth": 0.8}
-_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True, "ha": "left", "va": "top"}
-_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
 
 
 class Contours:
@@ -43,7 +41,7 @@ class Contours:
         x = left + (np.arange(n_x) + 0.5) * ((right - left) / n_x)
         y = upper - (np.arange(n_y) + 0.5) * ((upper - bottom) / n_y)
         found = contour_generator(x, y, coarse)
-        levels = MaxNLocator(_LINES, steps=[1, 2, 5, 10]).tick_values(0, top)
+        levels = np.asarray(MaxNLocator(_LINES, steps=[1, 2, 5, 10]).tick_values(0, top))
         for level in levels[(levels > 0) & (levels < top)].tolist():
             lines = [np.asarray(line) for line in found.lines(level)]
             for line in lines:
@@ -51,9 +49,8 @@ class Contours:
             if lines:
                 longest = max(lines, key=len)
                 at = longest[longest[:, 0].argmax()]
-                self._artists.append(
-                    self._axes.text(*at, written(level, digits=3), bbox=_BOX, **_TEXT)
-                )
+                text = written(level, digits=3)
+                self._artists.append(label_place(self._axes, at, text, "left", "top"))
 
     def clear(self) -> None:
         """Remove the lines."""

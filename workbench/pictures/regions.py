@@ -8,6 +8,7 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.messages import Message
+from workbench.pictures.axes import label_place
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from workbench.scene import Scene
 
 _OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
-_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True}
-_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
 
 
 class RegionMarks:
@@ -38,7 +37,7 @@ class RegionMarks:
             at = left if side == "left" else right
             # In turn above and below: words are wider than regions that stand beside each other.
             edge, up = (bottom, "bottom") if number % 2 else (top, "top")
-            text = axes.text(at, edge, region.name, ha=side, va=up, bbox=_BOX, **_TEXT)
+            text = label_place(axes, (at, edge), region.name, side, up)
             self._texts.append(text)
         self.artists = (*outlines, *self._texts)
         """Drawn over the image, which is drawn anew for each state of a run."""

@@ -76,8 +76,17 @@ def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
 
     ``kept`` is the content of the file, used instead of the file.
     """
-    rows, columns = _picture(target, Path(target.image), _FINEST // _FINENESS, kept).light.shape
+    rows, columns = picture_light(target, kept).shape
     return float(columns / rows)
+
+
+def picture_light(target: ImageTarget, kept: bytes | None = None) -> Array:
+    """Return the light (rows, columns) of the cropped and turned picture, at most 1.
+
+    ``kept`` is the content of the file, used instead of the file. Raises `Refused` if it is
+    unusable.
+    """
+    return _picture(target, Path(target.image), _FINEST // _FINENESS, kept).light
 
 
 def _blurred(light: Array, sigma: float) -> Array:

@@ -1,0 +1,184 @@
+"""Dialog in which a picture is cropped by dragging the edges of what is kept."""
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QRegion
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
+
+from ui.widgets.controls import filled
+from ui.widgets.native import ScaledImage, grey_image
+from ui.words import tr
+from workbench.arrays import Array
+
+Crop = tuple[float, float, float, float]
+"""What is cut away at the left, top, right and bottom, as fractions."""
+
+_SIZE = QSize(760, 620)
+_NEAR, _HANDLE = 12.0, 7.0  # pixels from an edge that is taken hold of, and size of a handle
+_LEAST = 0.05  # of the picture is kept along each axis
+_STEP = 0.01  # of the picture for an arrow key
+_VEIL = QColor(0, 0, 0, 150)
+_WHOLE: Crop = (0.0, 0.0, 0.0, 0.0)
+_KEYS = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
+_CURSORS = {  # by what moves along x and along y
+    (False, False): Qt.CursorShape.ArrowCursor,
+    (True, False): Qt.CursorShape.SizeHorCursor,
+    (False, True): Qt.CursorShape.SizeVerCursor,
+    (True, True): Qt.CursorShape.SizeAllCursor,
+}
+
+
+class CropView(ScaledImage):
+    """A picture and the rectangle of it that is kept.
+
+    Edges, corners and the rectangle itself are dragged; arrows move it, with Shift its right and
+    lower edge.
+    """
+
+    changed = Signal()
+
+    def __init__(self, light: Array, crop: Crop) -> None:
+        super().__init__()
+        rows, columns = light.shape
+        self.show_image(grey_image(light), columns / rows)
+        self.crop = crop
+        self._held: tuple[bool, ...] = ()  # which edges are dragged
+        self._at = QPointF()
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(tr("Picture with the part that is kept"))
+
+    def show_crop(self, crop: Crop) -> None:
+        self.crop = crop
+        self.update()
+        self.changed.emit()
+
+    @property
+    def kept(self) -> QRectF:
+        """Rectangle of what is kept, in pixels of the widget."""
+        left, top, right, bottom = self.crop
+        all_of_it = QRectF(self.place)
+        width, height = all_of_it.width(), all_of_it.height()
+        return all_of_it.adjusted(left * width, top * height, -right * width, -bottom * height)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton:
+            self._held, self._at = self._near(event.position()), event.position()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position()
+        if not any(self._held):
+            near = self._near(at)
+            self.setCursor(_CURSORS[near[0] or near[2], near[1] or near[3]])
+            return
+        by, place = at - self._at, self.place
+        self._at = at
+        self._move(self._held, by.x() / place.width(), by.y() / place.height())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._held = ()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self.show_crop(_WHOLE)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        step = _KEYS.get(Qt.Key(event.key()))
+        if step is None:
+            super().keyPressEvent(event)
+            return
+        alone = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        held = (not alone, not alone, True, True)
+        self._move(held, _STEP * step[0], _STEP * step[1])
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        painter, kept = QPainter(self), self.kept
+        outside = QRegion(self.place) - QRegion(kept.toAlignedRect())
+        painter.setClipRegion(outside)
+        painter.fillRect(self.place, _VEIL)
+        painter.setClipping(False)
+        accent = self.palette().highlight().color()
+        painter.setPen(QPen(accent, 2 if self.hasFocus() else 1))
+        painter.drawRect(kept)
+        for across in (kept.left(), kept.center().x(), kept.right()):
+            for down in (kept.top(), kept.center().y(), kept.bottom()):
+                handle = QRectF(0, 0, _HANDLE, _HANDLE)
+                handle.moveCenter(QPointF(across, down))
+                if handle.center() != kept.center():
+                    painter.fillRect(handle, accent)
+        painter.end()
+
+    def _near(self, at: QPointF) -> tuple[bool, ...]:
+        """Which edges are moved from here: left, top, right, bottom; all within the rectangle."""
+        kept = self.kept
+        if not kept.adjusted(-_NEAR, -_NEAR, _NEAR, _NEAR).contains(at):
+            return (False,) * 4
+        gaps = at.x() - kept.left(), at.y() - kept.top(), kept.right() - at.x()
+        edges = [abs(gap) <= _NEAR for gap in (*gaps, kept.bottom() - at.y())]
+        if edges[0] and edges[2]:  # of a narrow rectangle
+            edges[0] = gaps[0] < gaps[2]
+            edges[2] = not edges[0]
+        if edges[1] and edges[3]:
+            edges[1] = gaps[1] < kept.bottom() - at.y()
+            edges[3] = not edges[1]
+        return tuple(edges) if any(edges) else (True,) * 4
+
+    def _move(self, edges: tuple[bool, ...], x: float, y: float) -> None:
+        left, top, right, bottom = self.crop
+        left, right = _moved((left, right), (edges[0], edges[2]), x)
+        top, bottom = _moved((top, bottom), (edges[1], edges[3]), y)
+        self.show_crop((left, top, right, bottom))
+
+
+def _moved(cut: tuple[float, float], edges: tuple[bool, bool], by: float) -> tuple[float, float]:
+    """What is cut away at both ends of an axis after a move of these edges."""
+    low, high = cut
+    if all(edges):
+        by = min(max(by, -low), high)
+        return low + by, high - by
+    if edges[0]:
+        low = min(max(low + by, 0.0), 1 - _LEAST - high)
+    if edges[1]:
+        high = min(max(high - by, 0.0), 1 - _LEAST - low)
+    return low, high
+
+
+class CropDialog(QDialog):
+    """Asks which part of a picture is kept."""
+
+    def __init__(self, light: Array, crop: Crop, window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle(tr("Crop the picture"))
+        self.view, self._size = CropView(light, crop), QLabel()
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        whole = buttons.addButton(tr("&Whole picture"), QDialogButtonBox.ButtonRole.ResetRole)
+        whole.clicked.connect(lambda: self.view.show_crop(_WHOLE))
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        filled(QVBoxLayout(self), (self.view, 1), self._size, buttons)
+        self._rows, self._columns = light.shape
+        self.view.changed.connect(self._show_size)
+        self._show_size()
+        self.resize(_SIZE.boundedTo(window.window().size()))
+        self.view.setFocus()
+
+    @property
+    def crop(self) -> Crop:
+        left, top, right, bottom = (round(cut, 4) for cut in self.view.crop)
+        return left, top, right, bottom
+
+    def _show_size(self) -> None:
+        left, top, right, bottom = self.view.crop
+        width, height = 1 - left - right, 1 - top - bottom
+        aspect = width * self._columns / (height * self._rows)
+        self._size.setText(
+            tr("Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}").format(
+                width=100 * width, height=100 * height, aspect=aspect
+            )
+        )
