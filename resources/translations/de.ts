@@ -1634,31 +1634,6 @@
             <translation>Kein Befehl gefunden: {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Search by name or key</source>
-            <translation>Nach Name oder Taste suchen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Find a shortcut</source>
-            <translation>Tastenkürzel suchen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Command</source>
-            <translation>Befehl</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Key</source>
-            <translation>Taste</translation>
-        </message>
-        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Seitenansicht der Aufgabe</translation>

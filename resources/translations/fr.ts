@@ -1634,31 +1634,6 @@
             <translation>Aucune commande trouvée : {words}</translation>
         </message>
         <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Keyboard shortcuts</source>
-            <translation>Raccourcis clavier</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Search by name or key</source>
-            <translation>Rechercher par nom ou touche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Find a shortcut</source>
-            <translation>Chercher un raccourci</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Command</source>
-            <translation>Commande</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/command_search.py" />
-            <source>Key</source>
-            <translation>Touche</translation>
-        </message>
-        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Vue de côté de la tâche</translation>

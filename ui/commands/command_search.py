@@ -1,14 +1,11 @@
-"""Command palette, and the table of all keys."""
+"""Command palette."""
 
-import unicodedata
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QDialog,
-    QDialogButtonBox,
     QHeaderView,
     QLineEdit,
     QTreeWidget,
@@ -20,6 +17,7 @@ from shiboken6 import isValid
 
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
+from ui.widgets.search import folded, holds
 from ui.words import tr
 
 SEPARATOR = " \N{RIGHTWARDS ARROW} "
@@ -31,13 +29,18 @@ _MOVES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown
 
 
 class CommandPalette(QDialog):
-    """Popup list; Enter or a click runs a command, Escape closes."""
+    """Popup list of commands and their keys, found by either.
 
-    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
+    Enter or a click runs a command, Escape closes. ``with_keys``: lists only those with keys.
+    """
+
+    def __init__(
+        self, entries: Sequence[tuple[str, QAction]], window: QWidget, *, with_keys: bool = False
+    ) -> None:
         super().__init__(window, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAccessibleName(tr("Command palette"))
-        self._entries = entries
+        self._entries = [each for each in entries if not with_keys or _keys_of(each[1])]
         self._field = QLineEdit(placeholderText=tr("Search commands"))
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)
@@ -76,20 +79,19 @@ class CommandPalette(QDialog):
         return super().eventFilter(watched, event)
 
     def _find(self, text: str) -> None:
-        words = _folded(text).split()
+        words = folded(text).split()
         fitting = [
             (name, number)
             for number, (name, action) in enumerate(self._entries)
             if isValid(action)  # files that were open last come and go meanwhile
-            and all(word in _folded(name) for word in words)
+            and holds(f"{name} {_keys_of(action)}", words)
         ]
         first = words[0] if words else ""
         fitting.sort(key=lambda entry: _rank(entry[0], first))
         self._found.clear()
         for name, number in fitting:
             action = self._entries[number][1]
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            item = QTreeWidgetItem([name, keys])
+            item = QTreeWidgetItem([name, _keys_of(action)])
             item.setData(0, Qt.ItemDataRole.UserRole, number)
             item.setToolTip(0, action.statusTip())
             item.setDisabled(not action.isEnabled())
@@ -115,58 +117,9 @@ class CommandPalette(QDialog):
 
 
 def _rank(name: str, begin: str) -> tuple[bool, int]:
-    *menus, own = _folded(name).split(SEPARATOR)
+    *menus, own = folded(name).split(SEPARATOR)
     return not own.startswith(begin), len(menus)
 
 
-def _folded(text: str) -> str:
-    apart = unicodedata.normalize("NFKD", text.casefold())
-    return "".join(sign for sign in apart if not unicodedata.combining(sign))
-
-
-_COLUMNS, _ROWS = 70, 24  # characters and lines seen at once
-
-
-class Shortcuts(QDialog):
-    """Searchable table of keys, beside the window."""
-
-    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Keyboard shortcuts"))
-        self._field = QLineEdit(placeholderText=tr("Search by name or key"))
-        self._field.setAccessibleName(tr("Find a shortcut"))
-        self._field.setClearButtonEnabled(True)
-        self._field.textChanged.connect(self._find)
-        self._table = QTreeWidget()
-        self._table.setObjectName("commands")  # for the style sheet
-        self._table.setAccessibleName(tr("Keyboard shortcuts"))
-        self._table.setHeaderLabels([tr("Command"), tr("Key")])
-        self._table.setRootIsDecorated(False)
-        self._table.setAlternatingRowColors(True)
-        self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        for name, action in entries:
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            if keys:
-                item = QTreeWidgetItem([name, keys])
-                item.setToolTip(0, action.statusTip())
-                self._table.addTopLevelItem(item)
-        header = self._table.header()
-        header.setStretchLastSection(False)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        column = QVBoxLayout(self)
-        for widget in (self._field, self._table, buttons):
-            column.addWidget(widget)
-        font = self.fontMetrics()
-        wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
-        self.resize(min(wanted[0], window.width()), min(wanted[1], window.height()))
-
-    def _find(self, text: str) -> None:
-        words = text.lower().split()
-        for number in range(self._table.topLevelItemCount()):
-            item = self._table.topLevelItem(number)
-            if item is not None:
-                listed = f"{item.text(0)} {item.text(1)}".lower()
-                item.setHidden(not all(word in listed for word in words))
+def _keys_of(action: QAction) -> str:
+    return action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 import workbench
 from resources.manual_pages import Page, pages
 from ui.commands.actions import Commands
-from ui.commands.command_search import CommandPalette, Shortcuts
+from ui.commands.command_search import CommandPalette
 from ui.commands.panes import PaneFocus
 from ui.dialogs.tour import STOPS, Tour
 from ui.widgets.controls import filled
@@ -185,8 +185,8 @@ class Help(QObject):
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {
-            "palette": lambda: CommandPalette(self._commands.entries(), self._window).open(),
-            "shortcuts": lambda: Shortcuts(self._commands.entries(), self._window).show(),
+            "palette": self._search,
+            "shortcuts": lambda: self._search(with_keys=True),
             "tour": self.begin_tour,
             "manual": lambda: Manual(self._window).show(),
             "about": self._show_about,
@@ -219,6 +219,10 @@ class Help(QObject):
 
     def _forget_tour(self) -> None:
         self._tour = None
+
+    def _search(self, *, with_keys: bool = False) -> None:
+        entries = self._commands.entries()
+        CommandPalette(entries, self._window, with_keys=with_keys).open()
 
     def _show_about(self) -> None:
         QMessageBox.about(

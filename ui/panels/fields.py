@@ -17,6 +17,7 @@ from ui.panels.edits import Edit, holder_of
 from ui.widgets import theme
 from ui.widgets.controls import Chooser, filled
 from ui.widgets.labels import DragLabel
+from ui.widgets.search import holds
 from ui.words import in_sentence, tr
 from workbench.scene import AutoNet, Element, FieldDescription, Measure, Part
 from workbench.scene.fields import AUTO, Fallback, LeftOut
@@ -89,9 +90,8 @@ class Row(QWidget):
         self._conditions.append(condition)
 
     def matches(self, words: Sequence[str]) -> bool:
-        """Whether all words, in small letters, occur in its name, its tip or its path."""
-        text = f"{self.name} {self._tip} {self.path}".casefold()
-        return all(word in text for word in words)
+        """Whether all words, which are `folded`, occur in its name, its tip or its path."""
+        return holds(f"{self.name} {self._tip} {self.path}", words)
 
     def present(self, scene: Any) -> bool:
         return self._is_there(scene) and all(condition(scene) for condition in self._conditions)
