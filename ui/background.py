@@ -12,6 +12,7 @@ import threading
 from collections.abc import Callable, Generator
 from contextlib import closing
 from functools import partial
+from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
@@ -41,13 +42,21 @@ End = TypeVar("End")
 
 
 class Task:
-    """Requested work, as seen by its thread; ``report`` passes values to the window's thread."""
+    """Requested work, as seen by its thread; ``report`` passes values to the window's thread.
+
+    What `ui.widgets.shelf` shows: ``title``, ``part`` of the work that is done (0 to 1, if known),
+    and at the end ``outcome``, a sentence, with ``path``, the written file or folder.
+    """
 
     def __init__(
-        self, work: "Work", request: object, report: Callable[["Task", object], object]
+        self, work: "Work", request: object, report: Callable[["Task", object], object], title: str
     ) -> None:
-        self.request = request
+        self.request, self.title = request, title
+        self.part: float | None = None
+        self.outcome = ""
+        self.path: Path | None = None
         self.wanted = True
+        self.ended = False
         self.result: object = None
         self.error: Exception | None = None
         self._work, self._report = work, report
@@ -61,7 +70,9 @@ class Task:
         self._stopped.set()
 
     def report(self, value: object) -> None:
-        """Report progress; called in the thread of the work."""
+        """Report progress, as the part that is done or otherwise, from the thread of the work."""
+        if isinstance(value, float):
+            self.part = value
         self._report(self, value)
 
     def follow(
@@ -106,12 +117,14 @@ class Background(QObject):
 
     ``name`` is that of the work in English, translatable. ``finish_first`` lets begun work finish
     before that of a later request begins; by default a later request cancels it. ``progressed``
-    and ``done`` are emitted with the request.
+    and ``done`` are emitted with the request; ``changed`` with each `Task` that has a title, when
+    it begins, progresses and has ended.
     """
 
     progressed = Signal(object, object)
     done = Signal(object, object)
     failed = Signal(str)
+    changed = Signal(object)
 
     # From the thread. These are queued: their receivers live in the window's thread.
     _reported = Signal(object, object)
@@ -140,11 +153,11 @@ class Background(QObject):
         """Whether stopped work has not yet emitted its result."""
         return self._task is not None and self._task.wanted and self._task.stopped
 
-    def begin(self, work: Work, request: object = None) -> None:
+    def begin(self, work: Work, request: object = None, title: str = "") -> None:
         """Execute work with its `Task`, now or when the thread is free."""
         if not self._finish_first:
             self.cancel()
-        self._next = Task(work, request, self._reported.emit)
+        self._next = Task(work, request, self._reported.emit, title)
         if self._task is None:
             self._begin_next()
 
@@ -157,8 +170,9 @@ class Background(QObject):
     def cancel(self) -> None:
         """Ask the work to end soon; nothing more is emitted."""
         self.stop()
-        if self._task is not None:
+        if self._task is not None and self._task.wanted:
             self._task.wanted = False
+            self._show(self._task, ended=True)
 
     def finish(self) -> None:
         while self._task is not None:
@@ -173,6 +187,7 @@ class Background(QObject):
         if self._task is not None:
             self._thread = _Thread(partial(self._run, self._task))
             self._thread.setObjectName(self._name)  # what the system calls it
+            self._show(self._task)
             self._thread.start()
 
     def _run(self, task: Task) -> None:
@@ -188,6 +203,7 @@ class Background(QObject):
     def _pass_on(self, task: Task, value: object) -> None:
         if task is self._task and task.wanted:
             self.progressed.emit(task.request, value)
+            self._show(task)
 
     @Slot(object)
     def _end(self, task: Task) -> None:
@@ -197,9 +213,17 @@ class Background(QObject):
         if task.wanted and task.error is None:
             self.done.emit(task.request, task.result)
         elif task.wanted and task.error is not None:
-            self.failed.emit(self._sentence(task.error))
+            task.outcome = self._sentence(task.error)
+            self.failed.emit(task.outcome)
+        if task.wanted:
+            self._show(task, ended=True)
         if self._task is None:  # else a slot has begun other work
             self._begin_next()
+
+    def _show(self, task: Task, ended: bool = False) -> None:
+        task.ended = ended
+        if task.title:
+            self.changed.emit(task)
 
     def _sentence(self, error: Exception) -> str:
         if isinstance(error, Refused | RunFailed):

@@ -77,6 +77,7 @@ class MainWindow(QMainWindow):
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_cutting = AskCutting(self, settings)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
+        early.shelf.follow(self.exporter.background, self.reporter.background)
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
@@ -240,6 +241,7 @@ class MainWindow(QMainWindow):
         for name, dock in self.panes.docks.items():
             if name != "scene":  # which has a command
                 self.commands.menus["&View"].addAction(dock.toggleViewAction())
+        self.commands.menus["&View"].addAction(self.panes.strip.toggleViewAction())
 
     def _connect(self) -> None:
         self.commands.connect(
@@ -315,6 +317,7 @@ class MainWindow(QMainWindow):
 
             self.sweep = SweepDialog(self.document, self)
             self.sweep.open_asked.connect(self._open)
+            self.early.shelf.follow(self.sweep.background)
         self.sweep.show_design()
 
     def _save(self, save: Callable[[], bool]) -> None:

@@ -13,11 +13,12 @@ from ui.widgets.native import application
 
 @dataclass(frozen=True)
 class Pane:
-    """A dock, or a view of the image panel in the middle of the window."""
+    """A dock, a view of the image panel in the middle of the window, or the strip at its bottom."""
 
     title: str
     key: str = ""
     image: bool = False
+    strip: bool = False
 
 
 PANES = {
@@ -35,7 +36,7 @@ PANES = {
     "tolerances": Pane("Tolerances"),
     "result": Pane("Result"),
     "light": Pane("Light account"),
-    "loss": Pane("Loss", "6"),
+    "loss": Pane("Loss", "6", strip=True),
     "section": Pane("Cross-section", "7"),
     "runs": Pane("Runs"),
     "history": Pane("History", "8"),
@@ -56,8 +57,9 @@ Tabs = tuple[str, ...]
 class Workspace:
     """What a window shows for one part of the work.
 
-    `image`: the view of the image panel; `left`, `right`: docks beside it, from top to bottom. The
-    3D scene stands at the right of a narrow image, and below a wide one.
+    `image`: the view of the image panel; `left`, `right`: docks beside it, from top to bottom;
+    `strip`: whether the strip below them is shown. The 3D scene stands at the right of a narrow
+    image, and below a wide one.
     """
 
     title: str
@@ -65,6 +67,7 @@ class Workspace:
     image: str
     left: tuple[Tabs, ...]
     right: tuple[Tabs, ...]
+    strip: bool = False
 
 
 WORKSPACES = {
@@ -80,7 +83,8 @@ WORKSPACES = {
         "Run the design and watch the image",
         "irradiance",
         (("design",),),
-        (("scene",), ("result", "light", "runs"), ("loss", "log")),
+        (("scene",), ("result", "light", "runs", "log")),
+        strip=True,
     ),
     "check": Workspace(
         "Check",
@@ -104,7 +108,7 @@ class Places(Protocol):
     """Where the panes of a window are."""
 
     def place(self, name: str) -> QWidget:
-        """The dock of a pane, or the image panel."""
+        """The dock of a pane, the image panel or the strip."""
         ...
 
     def seen(self, name: str) -> bool:

@@ -27,7 +27,7 @@ from ui.commands.panes import PaneFocus
 from ui.dialogs.tour import STOPS, Tour
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import Messages
 from ui.words import tr
 
 _COLUMNS, _ROWS = 140, 48  # characters and lines seen at once
@@ -176,7 +176,7 @@ class Help(QObject):
     """Functions of the help menu."""
 
     def __init__(
-        self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: MessageBar
+        self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: Messages
     ) -> None:
         super().__init__(window)
         self._window, self._commands, self._panes = window, commands, panes

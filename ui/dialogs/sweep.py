@@ -67,10 +67,13 @@ def work_on(sweep: Sweep, task: Task) -> None:
             with interrupted_when(lambda: task.stopped), workers:
                 for number, row in rows_of(sweep.points, store, workers, RAYS):
                     found[number] = row
+                    task.part = len(found) / len(sweep.points)
                     task.report((number, row))
         except Interrupted:
             pass  # the table has what is finished
         store.write_table([found[number] for number in sorted(found)])
+    done = tr("{count} of {wanted} designs").format(count=len(found), wanted=len(sweep.points))
+    task.outcome, task.path = f"{done}, {sweep.folder}", sweep.folder
 
 
 _SIZE = QSize(1120, 640)
@@ -115,10 +118,10 @@ class SweepDialog(QDialog):
             buttons,
         )
         self.resize(_SIZE.boundedTo(window.size()))
-        self._background = Background(later("sweep"), self)
-        self._background.progressed.connect(self._show_row)
-        self._background.done.connect(lambda *_: self._offer())
-        self._background.failed.connect(self._give_up)
+        self.background = Background(later("sweep"), self)
+        self.background.progressed.connect(self._show_row)
+        self.background.done.connect(lambda *_: self._offer())
+        self.background.failed.connect(self._give_up)
         self.begin.clicked.connect(self.toggle)
         self.look.clicked.connect(self._open)
         self.table.itemSelectionChanged.connect(self._offer)
@@ -138,8 +141,8 @@ class SweepDialog(QDialog):
         self.activateWindow()
 
     def toggle(self) -> None:
-        if self._background.busy:
-            self._background.stop()
+        if self.background.busy:
+            self.background.stop()
             self._offer()
             return
         from workbench.sweep.points import points_of  # late: slow to import
@@ -159,12 +162,12 @@ class SweepDialog(QDialog):
         self._sweep = sweep = Sweep(points, Path(self.folder.text()).expanduser())
         self._rows.clear()
         self._show_points(sweep)
-        self._background.begin(partial(work_on, sweep), sweep)
+        self.background.begin(partial(work_on, sweep), sweep, tr("Sweep"))
         self._offer()
 
     def close_thread(self) -> None:
         """Stop the sweep and wait for its thread; safe to call twice."""
-        self._background.close()
+        self.background.close()
 
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
@@ -225,9 +228,9 @@ class SweepDialog(QDialog):
             self.open_asked.emit(path)
 
     def _offer(self) -> None:
-        busy = self._background.busy
+        busy = self.background.busy
         self.begin.setText(tr("Stop") if busy else tr("Start"))
-        self.begin.setEnabled(not self._background.stopping)
+        self.begin.setEnabled(not self.background.stopping)
         self.look.setEnabled(self._chosen() is not None)
         self.form.setEnabled(not busy)
         if self._sweep is not None:

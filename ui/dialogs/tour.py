@@ -63,8 +63,8 @@ STOPS = later(
             "loss",
             "Course of the run",
             (
-                "The loss falls while the lens improves. The slider below shows earlier "
-                "iterations; you can continue from any of them."
+                "The loss falls while the lens improves. Drag along the curve to show an earlier "
+                "iteration; you can continue from any of them."
             ),
         ),
         Stop(

@@ -14,7 +14,7 @@ from ui.document.document import ENDING, Document, OnDisk
 from ui.files.dialogs import FileDialogs
 from ui.files.recovery import LeftBehind
 from ui.run.control import CurrentLens
-from ui.widgets.messages import MessageBar, question
+from ui.widgets.messages import Messages, question
 from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
@@ -123,7 +123,7 @@ class FileActions(QObject):
         document: Document,
         lens: CurrentLens,
         recent: RecentFiles,
-        messages: MessageBar,
+        messages: Messages,
         dialogs: FileDialogs,
         window: QWidget,
     ) -> None:

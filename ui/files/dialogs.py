@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject, QSettings, QStandardPaths
@@ -12,7 +13,7 @@ from ui.document.document import ENDING, Document
 from ui.panels.forms import Forms
 from ui.panels.images import image_files, is_image_file
 from ui.panels.scene import is_light_file, light_files
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import Messages
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
@@ -103,7 +104,7 @@ class ChosenFiles(QObject):
     """Files that a person chooses, drops or pastes for target and source."""
 
     def __init__(
-        self, forms: Forms, dialogs: FileDialogs, messages: MessageBar, parent: QObject
+        self, forms: Forms, dialogs: FileDialogs, messages: Messages, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._forms, self._dialogs, self._messages = forms, dialogs, messages
@@ -132,12 +133,7 @@ class ChosenFiles(QObject):
             if is_light_file(path)
             else (tr("{name} is a picture, not a design."), tr("Use as target"))
         )
-
-        def accept() -> None:
-            self._messages.clear()
-            self.take(path)
-
-        self._messages.note(sentence.format(name=path.name), (action, accept))
+        self._messages.note(sentence.format(name=path.name), (action, partial(self.take, path)))
         return True
 
     def paste(self) -> None:

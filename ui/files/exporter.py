@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QMessageBox
 
-from ui.background import Background, Task, Work
+from ui.background import Background, Task
 from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.control import NO_LENS, CurrentLens
-from ui.widgets.messages import MessageBar, Offer
+from ui.widgets.messages import Messages
 from ui.words import error_text, later, tr
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class LensWriter(QObject):
-    """Writes the lens in a thread, one file at a time, with a message that may cancel it."""
+    """Writes the lens in a thread, one file at a time."""
 
     _WORK = later("export")
 
@@ -45,49 +45,28 @@ class LensWriter(QObject):
         self,
         document: Document,
         lens: CurrentLens,
-        messages: MessageBar,
+        messages: Messages,
         dialogs: FileDialogs,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._document, self._lens = document, lens
         self._messages, self._dialogs = messages, dialogs
-        self._background = Background(self._WORK, self)
-        self._begun, self._offers = "", list[Offer]()  # the message, and its buttons
-        self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._show_written)
-        self._background.failed.connect(messages.warn)
-
-    def cancel(self) -> None:
-        self._background.stop()
+        self.background = Background(self._WORK, self)
+        self.background.failed.connect(messages.warn)
 
     def close(self) -> None:
-        self._background.close()
+        self.background.close()
 
     def _writable_lens(self) -> "Session | None":
         """Return the design to write; report why there is none, or no time for it."""
-        if self._background.busy:
-            text = tr("A file is still being written. Start the next one after it.")
-            self._messages.note(text, *self._offers)
+        if self.background.busy:
+            self._messages.note(tr("A file is still being written. Start the next one after it."))
             return None
         session = self._lens.session
         if session is None:
             self._messages.note(tr(NO_LENS))
         return session
-
-    def _begin(self, text: str, work: Work, cancellable: bool) -> None:
-        self._begun = text
-        self._offers = [(tr("Cancel"), self.cancel)] if cancellable else []
-        self._messages.note(text, *self._offers, lasts=True)
-        self._background.begin(work, self._lens.text)
-
-    def _show_progress(self, _: object, percent: int) -> None:
-        self._messages.amend(self._begun, f"{self._begun} {percent} %")
-
-    def _show_written(self, lens: str, sentences: "list[str] | None") -> None:
-        self._messages.done(
-            tr("No file was written.") if sentences is None else "; ".join([*sentences, lens])
-        )
 
 
 class Exporter(LensWriter):
@@ -171,9 +150,9 @@ class Exporter(LensWriter):
         plan: "CutPlan | None",
         mesh_unit: str = MILLIMETRES,
     ) -> None:
-        names = ", ".join(path.name for path in files)
-        text = tr("Writing {name}…").format(name=names)
-        self._begin(text, partial(_write, session, files, plan, mesh_unit), plan is not None)
+        title = tr("Export {name}").format(name=", ".join(path.name for path in files))
+        work = partial(_write, session, files, plan, mesh_unit, self._lens.text)
+        self.background.begin(work, title=title)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -196,28 +175,30 @@ def _write(
     files: Mapping[Path, str],
     plan: "CutPlan | None",
     mesh_unit: str,
+    lens: str,
     task: Task,
-) -> list[str]:
+) -> None:
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
-    reported = 0
-
     def report(done: float) -> None:
-        nonlocal reported
         if task.stopped:
             raise Interrupted
-        if round(100 * done) > reported:
-            reported = round(100 * done)
-            task.report(reported)
+        if task.part is None or done >= task.part + _STEP:
+            task.report(done)
 
-    return [
-        written.sentence
-        for path, element in files.items()
-        for written in export(
-            session, [path], mesh_unit=mesh_unit, plan=plan, progress=report, element=element
-        )
-    ]
+    try:
+        found = [
+            written.sentence
+            for path, element in files.items()
+            for written in export(
+                session, [path], mesh_unit=mesh_unit, plan=plan, progress=report, element=element
+            )
+        ]
+    except Interrupted:
+        task.outcome = tr("No file was written.")
+    else:
+        task.outcome, task.path = "; ".join([*found, lens]), next(iter(files))
 
 
 def _named(path: Path, found: Format, element: str) -> Path:
@@ -234,6 +215,7 @@ def _filter(found: Format, unit: str = "") -> str:
     return f"{named} ({patterns})"
 
 
+_STEP = 0.01  # of the work, between two reports
 _COMMAND = (sys.executable, "-P", "-m", "workbench", "report")
 _PREFIX = "freeform: "  # before a reason
 _OFTEN = 0.1  # seconds after which it may be cancelled
@@ -258,9 +240,8 @@ class Reporter(LensWriter):
         document = self._document
         session = document.verified.complete(found)
         name = document.suggested_path.stem
-        text = tr("Writing {file}, with a check of {lens}…")
-        text = text.format(file=path.name, lens=self._lens.text)
-        self._begin(text, partial(_write_report, session, name, path), cancellable=True)
+        work = partial(_write_report, session, name, path, self._lens.text)
+        self.background.begin(work, title=tr("Report {name}").format(name=path.name))
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -270,7 +251,7 @@ class Reporter(LensWriter):
         )
 
 
-def _write_report(session: "Session", name: str, path: Path, task: Task) -> list[str] | None:
+def _write_report(session: "Session", name: str, path: Path, lens_text: str, task: Task) -> None:
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.session import write_session
 
@@ -280,10 +261,11 @@ def _write_report(session: "Session", name: str, path: Path, task: Task) -> list
         lens, report = Path(folder, f"{name}{ENDING}"), Path(folder, f"report{path.suffix}")
         write_session(session, lens)
         if not _run_command([*_COMMAND, str(lens), str(report)], task):
-            return None
+            task.outcome = tr("No file was written.")
+            return
         with replacing(path) as file, report.open("rb") as source:
             shutil.copyfileobj(source, file)
-    return [f"{path}: {tr('report')}"]
+    task.outcome, task.path = f"{path}: {tr('report')}; {lens_text}", path
 
 
 def _run_command(command: list[str], task: Task) -> bool:

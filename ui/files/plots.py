@@ -16,14 +16,16 @@ from ui.commands.panes import PANES
 from ui.commands.table import PICTURES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import Messages
 from ui.widgets.native import rgb_image
+from ui.widgets.shelf import open_folder
 from ui.words import error_text, in_sentence, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
 
 if TYPE_CHECKING:
+    from ui.views.loss_strip import LossStrip
     from ui.views.photo_view import PhotoView
     from ui.views.plot_view import PlotView
     from ui.views.scene_view import SceneView
@@ -45,7 +47,7 @@ _FIGURES = later({"Figures (*.json)": _DATA})
 
 class _PictureFiles(QObject):
     def __init__(
-        self, document: Document, messages: MessageBar, dialogs: FileDialogs, parent: QObject
+        self, document: Document, messages: Messages, dialogs: FileDialogs, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._messages, self._dialogs = document, messages, dialogs
@@ -61,7 +63,8 @@ class _PictureFiles(QObject):
         except Refused as refused:
             self._messages.warn(error_text(refused))
         else:
-            self._messages.done(tr("{path} is written.").format(path=f"{path}{size}"))
+            text = tr("{path} is written.").format(path=f"{path}{size}")
+            self._messages.done(text, (tr("Open folder"), partial(open_folder, path)))
 
 
 class Plots(_PictureFiles):
@@ -69,20 +72,17 @@ class Plots(_PictureFiles):
 
     def __init__(
         self,
-        plots: "Mapping[str, PlotView]",
+        plots: "Mapping[str, PlotView | LossStrip]",
         document: Document,
-        messages: MessageBar,
+        messages: Messages,
         dialogs: FileDialogs,
         parent: QObject,
     ) -> None:
         super().__init__(document, messages, dialogs, parent)
         self._plots = dict(plots)
         self._last = next(iter(plots))
-        self._background = Background(later("plot"), self)
-        self._background.done.connect(
-            lambda path, _: messages.done(tr("{path} is written.").format(path=path))
-        )
-        self._background.failed.connect(messages.warn)
+        self.background = Background(later("plot"), self)
+        self.background.failed.connect(messages.warn)
         for name, plot in plots.items():
             plot.touched.connect(partial(self._touch, name))
 
@@ -136,7 +136,7 @@ class Plots(_PictureFiles):
         return self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
 
     def close(self) -> None:
-        self._background.close()
+        self.background.close()
 
     def _touch(self, name: str) -> None:
         self._last = name
@@ -151,7 +151,7 @@ class Plots(_PictureFiles):
         return None
 
     def _write_table(self, columns: "list[Column]", path: Path) -> None:
-        if self._background.busy:
+        if self.background.busy:
             self._messages.note(tr("A plot is still being written. Save the next one after it."))
             return
 
@@ -160,8 +160,10 @@ class Plots(_PictureFiles):
                 csv.writer(line, lineterminator="").writerow([column.name for column in columns])
                 values = [column.values for column in columns]
                 write_table(file, values, line.getvalue(), delimiter=",")
+            task.outcome, task.path = tr("{path} is written.").format(path=path), path
 
-        self._background.begin(work, path)  # takes seconds for a large image
+        # Takes seconds for a large image.
+        self.background.begin(work, title=tr("Export {name}").format(name=path.name))
 
 
 def _in_words(name: str) -> str:
@@ -175,7 +177,7 @@ class PhotoPicture(_PictureFiles):
         self,
         view: "PhotoView",
         document: Document,
-        messages: MessageBar,
+        messages: Messages,
         dialogs: FileDialogs,
         show: Callable[[], object],
         parent: QObject,
@@ -215,7 +217,7 @@ class ScenePictures(_PictureFiles):
         self,
         view: "SceneView",
         document: Document,
-        messages: MessageBar,
+        messages: Messages,
         dialogs: FileDialogs,
         parent: QObject,
     ) -> None:

@@ -112,10 +112,9 @@ class ManufacturePane(ComputingView):
         figures.cut.clicked.connect(self.cut_asked)
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
-        self._background = Background(later("analysis of the face"), self)
-        self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._store_found)
-        self._background.failed.connect(figures.show_remark)
+        self.background = Background(later("analysis of the face"), self)
+        self.background.done.connect(self._store_found)
+        self.background.failed.connect(figures.show_remark)
         self._fields.changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
@@ -153,7 +152,7 @@ class ManufacturePane(ComputingView):
     def _compute(self) -> None:
         frame = self._frame
         # One behind another tab is not hidden, but nothing of it is seen.
-        if frame is None or self._background.busy or self.visibleRegion().isEmpty():
+        if frame is None or self.background.busy or self.visibleRegion().isEmpty():
             return
         optics, heights = frame.session.scene.optics, frame.state.heights
 
@@ -171,12 +170,8 @@ class ManufacturePane(ComputingView):
                 figures[optic.name] = finished(steps, task.report)
             return _Found(frame, figures, maps)
 
-        self._background.begin(work)
-
-    def _show_progress(self, _: None, done: float) -> None:
-        self._figures.show_remark(
-            tr("Computing the figures: {percent} %").format(percent=round(100 * done))
-        )
+        self._figures.show_remark(tr("Computing the figures…"))
+        self.background.begin(work, title=tr("Analysis of the face"))
 
     def _store_found(self, _: None, found: _Found) -> None:
         if self._frame is None:

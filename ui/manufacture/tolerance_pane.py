@@ -66,6 +66,7 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
     ):
         if task.stopped:
             break
+        task.part = len(sample.others) / sample.wanted
         task.report(each)
 
 
@@ -146,10 +147,10 @@ class TolerancePane(View):
         self.summary.setContentsMargins(6, 0, 6, 4)
         self.plot.add_below(self.summary)
         self._sample: Sample | None = None
-        self._background = Background(later("tolerance analysis"), self)
-        self._background.progressed.connect(self._add_lens)
-        self._background.done.connect(self._follow)
-        self._background.failed.connect(self._give_up)
+        self.background = Background(later("tolerance analysis"), self)
+        self.background.progressed.connect(self._add_lens)
+        self.background.done.connect(self._follow)
+        self.background.failed.connect(self._give_up)
         self.form.toggled.connect(self.toggle)
         self.form.save_asked.connect(self.save_asked)
         self._offer()
@@ -163,7 +164,7 @@ class TolerancePane(View):
         self.plot.show_design(session)
         super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
-            self._background.stop()  # the lenses that are traced count
+            self.background.stop()  # the lenses that are traced count
             self._offer()
 
     def show_frame(self, frame: "Frame") -> None:
@@ -175,8 +176,8 @@ class TolerancePane(View):
         self._offer()
 
     def toggle(self) -> None:
-        if self._background.busy:
-            self._background.stop()
+        if self.background.busy:
+            self.background.stop()
             self._offer()
         elif self._frame is not None:
             if not self.form.accepted():
@@ -188,7 +189,7 @@ class TolerancePane(View):
                 return
             sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
             self._sample = sample
-            self._background.begin(partial(trace_sample, sample, _RAYS), sample)
+            self.background.begin(partial(trace_sample, sample, _RAYS), sample, tr("Tolerances"))
             self._offer()
 
     def _add_lens(self, sample: Sample, each: "Perturbed") -> None:
@@ -208,7 +209,7 @@ class TolerancePane(View):
         self._offer()  # the plot alone is outdated
 
     def _offer(self) -> None:
-        busy, sample = self._background.busy, self._sample
+        busy, sample = self.background.busy, self._sample
         begin = self.form.begin
         begin.setText(tr("Cancel") if busy else tr("Start"))
         begin.setToolTip(
@@ -218,7 +219,7 @@ class TolerancePane(View):
         )
         possible = self._resting and self._frame is not None and not self._of_another
         self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
-        begin.setEnabled(not self._background.stopping if busy else possible)
+        begin.setEnabled(not self.background.stopping if busy else possible)
         self.form.save.setEnabled(sample is not None and sample.shown)
         self.summary.setText(self._figures(busy))
 

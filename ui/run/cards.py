@@ -1,13 +1,12 @@
 """Result cards: what came out, each with a goal and a button that mends it."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPolygonF
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -23,6 +22,7 @@ from ui.background import Background, Task
 from ui.run.control import RunControl
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import Veil, WrappedLabel
+from ui.widgets.marks import Mark
 from ui.words import in_sentence, later, tr
 
 if TYPE_CHECKING:
@@ -118,60 +118,9 @@ def _found(
     return findings(frame.session, frame.result, verified, known, search=rests)
 
 
-_MARK = 16  # pixels
-# Both grounds: 3:1 at least beside the card, white on them.
-_COLOURS: "dict[Level, str]" = {"good": "#2e8b57", "attention": "#c77700", "bad": "#d13438"}
 _LEVELS: "dict[Level, str]" = later(
     {"good": "Good", "attention": "Needs attention", "bad": "Goal missed"}
 )
-_POINTS: "dict[Level, tuple[tuple[float, float], ...]]" = {  # outlines of the marks
-    "attention": ((8, 0.5), (16, 15.5), (0, 15.5)),
-    "bad": ((5, 0), (11, 0), (16, 5), (16, 11), (11, 16), (5, 16), (0, 11), (0, 5)),
-}
-_STROKES: "dict[Level, tuple[tuple[tuple[float, float], ...], ...]]" = {
-    "good": (((4, 8.5), (7, 11.5), (12, 5)),),
-    "attention": (((8, 6), (8, 10)), ((8, 12.6), (8, 13))),
-    "bad": (((5, 5), (11, 11)), ((11, 5), (5, 11))),
-}
-
-
-class _Mark(QWidget):
-    """A tick on a disc, an exclamation mark on a triangle or a cross on an octagon."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFixedSize(_MARK, _MARK)
-        self.level: Level = "attention"
-
-    def show_level(self, level: "Level") -> None:
-        self.level = level
-        self.setToolTip(tr(_LEVELS[level]))
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(_COLOURS[self.level]))
-        if self.level in _POINTS:
-            painter.drawPolygon(_polygon(_POINTS[self.level]))
-        else:
-            painter.drawEllipse(0, 0, _MARK, _MARK)
-        pen = painter.pen()
-        pen.setStyle(Qt.PenStyle.SolidLine)
-        pen.setColor(QColor("white"))
-        pen.setWidthF(2.0)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        painter.setPen(pen)
-        for stroke in _STROKES[self.level]:
-            painter.drawPolyline(_polygon(stroke))
-        painter.end()
-
-
-def _polygon(points: Sequence[tuple[float, float]]) -> QPolygonF:
-    return QPolygonF([QPointF(*point) for point in points])
-
-
 _FIGURE = re.compile(r"^[\d.]++( %)?(?! ×)")  # at the beginning of a sentence
 
 
@@ -188,7 +137,10 @@ class _Card(QFrame):
         self._limit: float | None = None
         self._cure: Cure | None = None
         self.text = ""
-        self.mark, self._sentence = _Mark(), WrappedLabel(textFormat=Qt.TextFormat.RichText)
+        self.mark, self._sentence = (
+            Mark("attention"),
+            WrappedLabel(textFormat=Qt.TextFormat.RichText),
+        )
         self._sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.button = QPushButton()
         self.button.clicked.connect(lambda: self.mended.emit(self._cure))
@@ -210,9 +162,10 @@ class _Card(QFrame):
 
     def show_finding(self, finding: "Finding", scene: "Scene") -> None:
         text = tr(finding.sentence)
-        if (text, finding.level) != (self.text, self.mark.level):
+        if (text, finding.level) != (self.text, self.mark.sign):
             self.text = text
-            self.mark.show_level(finding.level)
+            self.mark.show_sign(finding.level)
+            self.mark.setToolTip(tr(_LEVELS[finding.level]))
             self._sentence.setText(_FIGURE.sub(r"<b>\g<0></b>", escape(text), count=1))
             self.setAccessibleName(f"{tr(_LEVELS[finding.level])}: {text}")
         self._cure = finding.cure

@@ -205,9 +205,9 @@ class CheckFigures(QWidget):
         self._copy.setEnabled(True)
         self._hint.hide()
 
-    def follow(self, figures: str) -> None:
-        before = tr(" Outdated figures: the design has changed.") if self._count else ""
-        self._hint.setText(f"{figures[:1].upper()}{figures[1:]}{before}" or tr(_NOTHING))
+    def follow(self, under_way: bool) -> None:
+        before = tr("Outdated figures: the design has changed.") if self._count else ""
+        self._hint.setText(tr("Checking…") if under_way else before or tr(_NOTHING))
         self._hint.show()
         self._table.setEnabled(False)
 

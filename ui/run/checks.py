@@ -48,7 +48,7 @@ class CheckedLens:
 def check(
     lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
 ) -> "tuple[Validation, float | None] | None":
-    """Check a lens in a thread; reports the finished fraction."""
+    """Check a lens in a thread; reports the finished part."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.metrics import relative_l2
     from workbench.analysis.validation import validating
@@ -58,6 +58,7 @@ def check(
     found = task.follow(steps, task.report)
     if found is None:
         return None
+    task.outcome = tr(found.contradiction or "")  # else the result cards state the error
     own = lens.irradiance
     return found, None if own is None else relative_l2(found.irradiance, own)
 
@@ -65,7 +66,6 @@ def check(
 class Check(QObject):
     """A check of the shown lens, dropped when another one is shown."""
 
-    figures_changed = Signal(str)
     under_way_changed = Signal(bool)
     checked = Signal(object, object, object)  # CheckedLens, Validation, float
     summary_ready = Signal(str)
@@ -76,10 +76,9 @@ class Check(QObject):
         self._shown: Frame | None = None
         self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
         self._rays = self._asked_rays = RAYS
-        self._background = Background(later("check"), self)
-        self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._show_outcome)
-        self._background.failed.connect(self._give_up)
+        self.background = Background(later("check"), self)
+        self.background.done.connect(self._show_outcome)
+        self.background.failed.connect(self._give_up)
 
     def show_frame(self, frame: "Frame") -> None:
         self._shown = frame
@@ -101,7 +100,7 @@ class Check(QObject):
         self._rays = rays
 
     def toggle(self) -> None:
-        if self._background.busy:
+        if self.background.busy:
             self._forget()
         elif self._shown is None:
             self.failed.emit(tr("The image is still being computed. Try again in a moment."))
@@ -115,31 +114,26 @@ class Check(QObject):
                 irradiance=shot.state.irradiance,
                 further=tuple(light.irradiance for light in shot.state.further),
             )
-            self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
-            self.figures_changed.emit(tr("checking…"))
+            work = partial(check, lens, self._rays, None, ACCURACY)
+            self.background.begin(work, lens, tr("Check"))
 
     @property
     def busy(self) -> bool:
-        return self._background.busy
+        return self.background.busy
 
     def cancel(self) -> None:
-        if self._background.busy:
+        if self.background.busy:
             self._forget()
 
     def close(self) -> None:
-        self._background.close()
+        self.background.close()
 
-    def _show_progress(self, lens: CheckedLens, part: float) -> None:
-        self.figures_changed.emit(tr("checking… {part:.0f} %").format(part=100 * part))
-
-    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
+    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, float] | None") -> None:
+        if outcome is None:  # stopped
+            self._forget()
+            return
         found, difference = outcome
         failed = found.contradiction
-        self.figures_changed.emit(
-            tr("Check failed")
-            if failed
-            else tr("Verified error {verified}").format(verified=verified_error(found.verified))
-        )
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
         if failed:
@@ -170,8 +164,7 @@ class Check(QObject):
 
     def _forget(self) -> None:
         self._asked = None
-        self._background.cancel()
-        self.figures_changed.emit("")
+        self.background.cancel()
         self.under_way_changed.emit(False)
 
 
@@ -185,7 +178,6 @@ _GUESS = 0.5  # seconds that the first one takes
 class RunCheck(QObject):
     """Checks lenses at stage ends, at intervals on an idle core, and at the end of a run."""
 
-    figures_changed = Signal(str)
     checked = Signal(object, object)  # CheckedLens, Validation
     failed = Signal(str)
 
@@ -195,25 +187,22 @@ class RunCheck(QObject):
         self._last: Frame | None = None
         self._began = self._rested_at = 0.0
         self._cost = _GUESS
-        self._text = ""
-        self._latest: Verified | None = None  # which the text is of
         self._end: CheckedLens | None = None  # the lens of the run that ended last
         self._result: Result | None = None  # that it is of
-        self._background = Background(later("check of the run"), self)
-        self._background.done.connect(self._show_outcome)
-        self._background.failed.connect(self._give_up)
+        self.background = Background(later("check of the run"), self)
+        self.background.done.connect(self._show_outcome)
+        self.background.failed.connect(self.failed)
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._check_frame)
         control.ended.connect(self._finish)
-        control.history.changed.connect(self._follow_course)
         document.session_changed.connect(self._follow_document)
 
     def close(self) -> None:
-        self._background.close()
+        self.background.close()
 
     def _follow(self, state: str) -> None:
         if state == "running" and self._last is None:
-            self._background.cancel()
+            self.background.cancel()
 
     def _check_frame(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
@@ -222,7 +211,7 @@ class RunCheck(QObject):
         if last is None:  # what came before was no run yet
             self._rested_at = monotonic()
             return
-        if self._background.busy or QThread.idealThreadCount() < 2:
+        if self.background.busy or QThread.idealThreadCount() < 2:
             return
         if last.snapshot.stage != frame.snapshot.stage:
             self._check(last)
@@ -235,63 +224,39 @@ class RunCheck(QObject):
         seconds = float(times[-1]) if times.size else 0.0
         heights = frame.state.heights
         lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
-        self._background.begin(partial(check, lens, _FEW_RAYS, 1, _ROUGH), lens)
+        self.background.begin(partial(check, lens, _FEW_RAYS, 1, _ROUGH), lens)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
-        self._last, self._result, self._text = None, result, ""
+        self._last, self._result = None, result
         if result is not None and frame is not None:
-            self._text = tr("checking…")
             self._end = CheckedLens(
                 self._document.session, result.state.heights, result.iterations, result.seconds
             )
-            self._background.begin(partial(check, self._end, RAYS, None, ACCURACY), self._end)
-        self._emit_figures()
+            work = partial(check, self._end, RAYS, None, ACCURACY)
+            self.background.begin(work, self._end, tr("Check of the run"))
 
-    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
+    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, None] | None") -> None:
+        if outcome is None:  # stopped
+            return
         found, _ = outcome
         if found.contradiction:
-            self._text = tr("Check failed")
-            self._emit_figures()
             self.failed.emit(tr(found.contradiction))
             return
-        self._latest = verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
+        verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
         history = self._control.history
-        self._text = tr("Verified error {error} at iteration {iteration}").format(
-            error=verified_error(found.verified), iteration=lens.iterations
-        )
         if lens is self._end and self._result is not None:
-            self._text = ""  # the error is that of the lens from here on
             self._document.verified.note(self._result, found)  # also while its run is undone
             history.add_later_check(verified, self._result, self._document.session)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._emit_figures()
         self.checked.emit(lens, found)
-
-    def _follow_course(self) -> None:
-        """Drop a check that is not part of the shown history."""
-        if self._control.busy and self._latest not in self._control.history.checks:
-            self._text = ""
-            self._emit_figures()
 
     def _follow_document(self, session: "Session") -> None:
         if self._end is not None and not lit_alike(self._end.session, session):
-            if self._background.busy:
-                self._text = ""
-            self._background.cancel()
-        self._emit_figures()
-
-    def _give_up(self, sentence: str) -> None:
-        self._text = ""
-        self._emit_figures()
-        self.failed.emit(sentence)
-
-    def _emit_figures(self) -> None:
-        same = self._control.busy or self._document.session.result is self._result
-        self.figures_changed.emit(self._text if same else "")
+            self.background.cancel()
 
 
 _REST_MS = 1000  # without edits before bounds are computed: live designs come first

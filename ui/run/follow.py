@@ -26,9 +26,7 @@ from ui.run.kept_runs import called, with_followed
 from ui.run.worker import RunJob, frame_of, work
 from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
-from workbench.design.loss import relative_error
 from workbench.design.snapshot import STOPPED
-from workbench.extended.bound import percent
 from workbench.messages import Message
 
 if TYPE_CHECKING:
@@ -281,8 +279,7 @@ class Follow(QObject):
             self._document.improve(session)
         for run in displaced:
             self._control.displaced.emit(called(run))
-        error = percent(relative_error(best.state, session.target))
-        self._show_text(tr("Updating: error {error}").format(error=error))
+        self._show_text(self._named(_UNDER_WAY))
 
     def _end(self, design: _Design, _: object) -> None:
         self._take_frame()

@@ -76,12 +76,12 @@ class PhotoView(ImageView, ComputingView):
         self._shared.changed.connect(self._want)
         self._predicted: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
-        self._background = Background(_WORK, self)
-        self._background.progressed.connect(
+        self.background = Background(_WORK, self)
+        self.background.progressed.connect(
             lambda _, part: self._state(tr("Predicting… {part:.0f} %").format(part=100 * part))
         )
-        self._background.done.connect(self._show)
-        self._background.failed.connect(self._state)
+        self.background.done.connect(self._show)
+        self.background.failed.connect(self._state)
         self._state(tr(_NO_LENS))
         self._readout.setAccessibleName(tr("State of the photo"))
         self._add_controls()
@@ -148,7 +148,7 @@ class PhotoView(ImageView, ComputingView):
         request = self._request()
         if self._known(request) or not (self._resting and self._seen()):
             self._want_nothing()
-        elif not self._background.busy or not self._asked(request):
+        elif not self.background.busy or not self._asked(request):
             self._want_nothing()
             self._rest.start()
         self._show_summary(request)
@@ -170,7 +170,7 @@ class PhotoView(ImageView, ComputingView):
 
     def _compute(self) -> None:
         request = self._wanted = self._request()
-        self._background.begin(partial(predict_photo, request), request)
+        self.background.begin(partial(predict_photo, request), request, tr("Photo"))
 
     def _show(self, request: PhotoRequest, photo: "Photo | None") -> None:
         if photo is not None:
@@ -187,7 +187,7 @@ class PhotoView(ImageView, ComputingView):
         if self._known(request) and self._predicted is not None:
             text = tr(self._predicted[1].summary)
             self._state(f"{text[0].upper()}{text[1:]}.")
-        elif not self._background.busy:
+        elif not self.background.busy:
             before = "" if self._predicted is None else tr("Outdated. ")
             self._state(before + tr(_WAITS))
         if self._predicted is None:

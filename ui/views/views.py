@@ -11,7 +11,7 @@ from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
 from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.light_view import LightView
-from ui.views.loss_view import HistorySlider, LossView
+from ui.views.loss_strip import LossStrip
 from ui.views.photo_view import PhotoView
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
@@ -31,10 +31,8 @@ class Views(QObject):
     def __init__(self, parent: QObject, others: Mapping[str, View]) -> None:
         super().__init__(parent)
         self.shared = shared = SharedView(self)
-        self.scene, self.history_slider = SceneView(shared), HistorySlider()
-        self.derivative, self.loss = DerivativeView(shared), LossView(shared)
-        self.photo = PhotoView(shared)
-        self.loss.add_below(self.history_slider)
+        self.scene, self.photo = SceneView(shared), PhotoView(shared)
+        self.derivative, self.loss = DerivativeView(shared), LossStrip(shared)
         self.around: dict[str, View] = {
             "irradiance": IrradianceView(shared),
             "target": TargetView(shared),
@@ -52,23 +50,23 @@ class Views(QObject):
     def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
         for view in (self.scene, *self.around.values()):
             view.follow(document, shown)
-        self.history_slider.frame_chosen.connect(shown.frame_changed)
-        history.changed.connect(lambda: self.history_slider.show_frames(history.frames))
+        self.loss.frame_chosen.connect(shown.frame_changed)
+        history.changed.connect(lambda: self.loss.show_frames(history.frames))
         history.changed.connect(lambda: self.loss.show_verified(history.checks))
 
     @property
-    def plots(self) -> dict[str, PlotView]:
+    def plots(self) -> dict[str, PlotView | LossStrip]:
         views = {name: view for name, view in self.around.items() if view is not self.photo}
-        return {name: view for name, view in views.items() if isinstance(view, PlotView)}
+        return {n: view for n, view in views.items() if isinstance(view, PlotView | LossStrip)}
 
     @property
     def computing(self) -> dict[str, ComputingView]:
         return {name: view for name, view in self.around.items() if isinstance(view, ComputingView)}
 
     def allow(self, resting: bool, go_on: bool) -> None:
-        self.history_slider.allow(resting=resting, go_on=go_on)
         for view in self.around.values():
             view.allow(resting=resting)
+        self.loss.allow(resting=resting, go_on=go_on)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {

@@ -1,27 +1,27 @@
-"""Message bar and log of the window."""
+"""Messages over the image, questions, and the log of the window."""
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from functools import partial
 from typing import TypeVar
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPropertyAnimation, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
+    QGraphicsOpacityEffect,
     QHBoxLayout,
-    QLabel,
     QMessageBox,
     QPlainTextEdit,
     QPushButton,
-    QSizePolicy,
-    QStyle,
     QToolButton,
+    QVBoxLayout,
     QWidget,
 )
 
-from ui.widgets import theme
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.native import make_native
+from ui.widgets.marks import Mark, Sign
 from ui.words import tr
 
 Value = TypeVar("Value")
@@ -30,106 +30,133 @@ Offer = tuple[str, Callable[[], object]]
 """Text and action of a button beside a message."""
 
 
-class MessageBar(QFrame):
-    """Shows failures and notes without blocking the user; hidden while empty."""
+_MOST = 3  # messages at once
+_WIDTH, _GAP = 380, 8  # pixels
+_READ_MS, _LETTER_MS = 4000, 60  # to notice a message, and to read each of its letters
+_FADE_MS = 400
+
+
+_MARKS: dict[str, Sign] = {"warning": "attention", "note": "note", "done": "good"}
+
+
+class Notice(QFrame):
+    """A message with buttons; one that fades waits while the pointer or the focus is on it."""
+
+    closed = Signal()
+
+    def __init__(self, kind: str, text: str, offers: Sequence[Offer], fades: bool) -> None:
+        super().__init__()
+        self.setObjectName(kind)  # for the style sheet
+        self.setAccessibleName(text)
+        self.text = text
+        mark = Mark(_MARKS[kind])
+        words = WrappedLabel(text, textFormat=Qt.TextFormat.PlainText)
+        words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        close = QToolButton(autoRaise=True)
+        close.setText("✕")
+        close.setToolTip(tr("Close this message"))
+        close.setAccessibleName(tr("Close this message"))
+        close.clicked.connect(self.closed)
+        self.buttons = [QPushButton(words) for words, _ in offers]
+        for button, (_, act) in zip(self.buttons, offers, strict=True):
+            button.clicked.connect(self.closed)
+            button.clicked.connect(lambda _=False, act=act: act())
+        top = Qt.AlignmentFlag.AlignTop
+        row = filled(QHBoxLayout(), mark, (words, 1), close, spacing=8)
+        row.setAlignment(mark, top)
+        row.setAlignment(close, top)
+        box = filled(QVBoxLayout(self), row, margins=(10, 8, 8, 8), spacing=6)
+        if offers:
+            box.addLayout(filled(QHBoxLayout(), STRETCH, *self.buttons, spacing=6))
+        self._read = QTimer(self, singleShot=True, interval=_READ_MS + _LETTER_MS * len(text))
+        self._read.timeout.connect(self._fade)
+        if fades:
+            self._read.start()
+
+    def _fade(self) -> None:
+        if self.underMouse() or self.isAncestorOf(self.window().focusWidget()):
+            self._read.start()
+            return
+        effect = QGraphicsOpacityEffect(self)
+        self.setGraphicsEffect(effect)
+        fading = QPropertyAnimation(effect, b"opacity", self)
+        fading.setDuration(_FADE_MS)
+        fading.setStartValue(1.0)
+        fading.setEndValue(0.0)
+        fading.finished.connect(self.closed)
+        fading.start()
+
+
+class Messages(QWidget):
+    """Failures and notes as a few notices, the latest below, without blocking the user.
+
+    Reports of success, and notes without a question, fade; others stay until they are closed.
+    """
 
     message = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setAutoFillBackground(True)
-        make_native(self)
-        self._icon = QLabel()
-        self._text = WrappedLabel()
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
-        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.buttons: list[QPushButton] = []
-        self._done = False  # whether it reports a success
-        self._lasts = False  # whether it is as true when a run begins
-        close = QToolButton()
-        close.setText("✕")
-        close.setAutoRaise(True)
-        close.setToolTip(tr("Close this message"))
-        close.setAccessibleName(tr("Close this message"))
-        close.clicked.connect(self.clear)
-        self._row = row = QHBoxLayout(self)
-        row.setContentsMargins(10, 6, 6, 6)
-        row.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignTop)
-        row.addWidget(self._text, 1)
-        row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+        self.notices: list[Notice] = []
+        self._column = filled(QVBoxLayout(self), margins=0, spacing=_GAP)
         self.hide()
+
+    def sizeHint(self) -> QSize:
+        return QSize(_WIDTH, self.heightForWidth(_WIDTH))
 
     @property
     def text(self) -> str:
-        """The message; empty while hidden."""
-        return self._text.text()
+        """The latest message; empty if there is none."""
+        return self.notices[-1].text if self.notices else ""
 
     @property
-    def taken(self) -> bool:
-        """Whether a message must be read first; a report of success may be replaced."""
-        return bool(self.text) and not self._done
+    def buttons(self) -> list[QPushButton]:
+        """Buttons of the latest message."""
+        return self.notices[-1].buttons if self.notices else []
 
     def warn(self, text: str, *offers: Offer) -> None:
-        self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
+        self._show("warning", text, offers)
 
-    def note(self, text: str, *offers: Offer, lasts: bool = False) -> None:
-        """Show a note, with buttons; ``lasts`` keeps it when a run begins."""
-        self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
-        self._lasts = lasts
+    def note(self, text: str, *offers: Offer) -> None:
+        self._show("note", text, offers, fades=not offers)
 
-    def done(self, text: str) -> None:
-        """Show that something is finished, such as a written file."""
-        self.note(text, lasts=True)
-        self._done = True
-
-    def amend(self, beginning: str, text: str) -> None:
-        """Replace a message that has this beginning, as for progress."""
-        if beginning and self.text.startswith(beginning):
-            self._text.setText(text)
-            self.setAccessibleName(text)
+    def done(self, text: str, *offers: Offer) -> None:
+        """Report what is finished, such as a written file."""
+        self._show("done", text, offers, fades=True)
 
     def withdraw(self, text: str) -> None:
-        if text and text == self.text:
-            self.clear()
+        for notice in [notice for notice in self.notices if notice.text == text]:
+            self._remove(notice)
 
     def make_way(self) -> None:
         """Remove messages about the lens before a run."""
-        if not self._lasts:
-            self.clear()
+        for notice in [notice for notice in self.notices if notice.objectName() != "done"]:
+            self._remove(notice)
 
     def clear(self) -> None:
-        self._set_buttons(())
-        self._text.clear()
-        self.hide()
+        for notice in list(self.notices):
+            self._remove(notice)
 
-    def _show(
-        self, kind: str, icon: QStyle.StandardPixmap, text: str, offers: Sequence[Offer]
-    ) -> None:
-        self._done = self._lasts = False
-        self._set_buttons(offers)
-        self.setObjectName(kind)
-        theme.restyle(self)
-        side = self.style().pixelMetric(QStyle.PixelMetric.PM_SmallIconSize)
-        self._icon.setPixmap(self.style().standardIcon(icon).pixmap(side, side))
-        self._text.setText(text)
-        self.setAccessibleName(text)
+    def _show(self, kind: str, text: str, offers: Sequence[Offer], fades: bool = False) -> None:
+        self.withdraw(text)
+        if len(self.notices) >= _MOST:  # warnings last
+            mild = (notice for notice in self.notices if notice.objectName() != "warning")
+            self._remove(next(mild, self.notices[0]))
+        notice = Notice(kind, text, offers, fades)
+        notice.closed.connect(partial(self._remove, notice))
+        self.notices.append(notice)
+        self._column.addWidget(notice)
         self.show()
         self.raise_()
-        QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+        QAccessible.updateAccessibility(QAccessibleEvent(notice, QAccessible.Event.Alert))
         self.message.emit(text)
 
-    def _set_buttons(self, offers: Sequence[Offer]) -> None:
-        for button in self.buttons:
-            button.hide()
-            button.deleteLater()  # its own click may have led here
-        self.buttons = []
-        for words, act in offers:
-            button = QPushButton(words)
-            button.clicked.connect(lambda _=False, act=act: act())
-            self._row.insertWidget(self._row.count() - 1, button, 0, Qt.AlignmentFlag.AlignTop)
-            self.buttons.append(button)
+    def _remove(self, notice: Notice) -> None:
+        if notice in self.notices:
+            self.notices.remove(notice)
+            notice.hide()
+            notice.deleteLater()  # its own click may have led here
+            self.setVisible(bool(self.notices))
 
 
 def question(

@@ -18,6 +18,8 @@ _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
 # Fusion's buttons that are on look like the others in the dark.
 _ON = {"light": "#b5d3ee", "dark": "#2a6296"}
 _NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
+_RAISED = {"light": "#ffffff", "dark": "#2d3138"}  # notices over something else, and
+_EDGE = {"light": "#b4bac2", "dark": "#4a505a"}  # their border
 # Fusion draws boxes that are not ticked nearly black on dark grey; WCAG asks for 3:1.
 _BOXES = {
     "light": "",
@@ -168,9 +170,13 @@ def _colour(application: QApplication) -> None:
         QToolButton:checked, QPushButton:checked {{ background-color: {_ON[scheme]}; }}
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
-        QFrame#warning {{ background: {_WARNING[scheme]}; }}
         QFrame#card {{ background: palette(base); border-radius: 4px; }}
-        QFrame#note {{ background: {_NOTE[scheme]}; }}
+        QFrame#warning, QFrame#note, QFrame#done {{
+            background: {_RAISED[scheme]}; border: 1px solid {_EDGE[scheme]}; border-radius: 6px;
+        }}
+        QFrame#warning {{ background: {_WARNING[scheme]}; }}
+        QFrame#shelf {{ background: palette(window); border: 1px solid {_EDGE[scheme]}; }}
+        QStatusBar::item {{ border: none; }}
         {_BOXES[scheme]}
         """
     )

@@ -1,7 +1,8 @@
-"""Docks and image panel of the window, and all parts of it that need no slow library."""
+"""Docks, image panel and strip of the window, and all parts of it that need no slow library."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QObject, QPersistentModelIndex, QSettings, Qt, QTimer
@@ -10,8 +11,10 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
     QMainWindow,
+    QSizePolicy,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QToolBar,
     QUndoView,
     QWidget,
 )
@@ -22,8 +25,9 @@ from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.panels.forms import Forms
 from ui.run.status import RunStatus
-from ui.widgets.messages import LogView, MessageBar
+from ui.widgets.messages import LogView, Messages
 from ui.widgets.native import Uncovered
+from ui.widgets.shelf import Shelf, open_folder
 from ui.window.edit_notices import RefusedFields
 from ui.window.image_panel import ImagePanel
 from ui.words import later, tr
@@ -32,12 +36,13 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
+_STRIP = next(name for name, pane in PANES.items() if pane.strip)
 # Of the height of the window, for a dock that is asked for.
 _LEAST_SHARE = 0.4
 
 
 class Panes:
-    """Image panel and docks around it; the views come later, because their libraries load slowly.
+    """Image panel, docks around it, strip below; the views come later: their libraries load slowly.
 
     `ui.window.workspaces.Workspaces` says where the docks are.
     """
@@ -46,7 +51,7 @@ class Panes:
         self,
         window: QMainWindow,
         forms: Forms,
-        messages: MessageBar,
+        messages: Messages,
         steps: QUndoStack,
         log: LogView,
     ) -> None:
@@ -60,8 +65,9 @@ class Panes:
         self.docks = {
             name: _Dock(name, tr(pane.title), window)
             for name, pane in PANES.items()
-            if not pane.image
+            if not (pane.image or pane.strip)
         }
+        self.strip = _Strip(window)
         # It cannot take a window of its own: a 3D view does not survive the change.
         self.docks["scene"].setFeatures(
             QDockWidget.DockWidgetFeature.DockWidgetMovable
@@ -79,7 +85,7 @@ class Panes:
 
     def put_views(self, views: Mapping[str, QWidget]) -> None:
         """Put views into their docks and into the image panel, by the names of their panes."""
-        awaited = self._waiting | set(self.images.names)
+        awaited = self._waiting | {*self.images.names, _STRIP}
         if awaited != views.keys():
             wrong = sorted(awaited ^ views.keys())
             raise ValueError(f"no place, or nothing for it: {wrong}")
@@ -89,22 +95,29 @@ class Panes:
             self.docks[name].setWidget(views[name])
             placeholder.deleteLater()
         self.images.put({name: views[name] for name in self.images.names})
+        self.strip.put(views[_STRIP])
 
     def name_light(self, session: "Session") -> None:
         self.images.rename("irradiance", tr(session.scene.receiver.density.capitalize()))
 
     def place(self, name: str) -> QWidget:
-        """The dock of a pane, or the image panel."""
+        """The dock of a pane, the image panel or the strip."""
+        if PANES[name].strip:
+            return self.strip
         return self.images if PANES[name].image else self.docks[name]
 
     def seen(self, name: str) -> bool:
         """Whether a pane can be seen now."""
+        if PANES[name].strip:
+            return self.strip.isVisible()
         return name == self.images.name if PANES[name].image else self.docks[name].seen
 
     def show(self, name: str) -> None:
         """Show a pane, in whatever workspace."""
         if PANES[name].image:
             self.images.choose(name)
+        elif PANES[name].strip:
+            self.strip.show()
         else:
             self.docks[name].show()
             QTimer.singleShot(0, self._window, partial(self._bring, self.docks[name]))
@@ -115,6 +128,20 @@ class Panes:
         least = round(_LEAST_SHARE * self._window.height())
         if dock.height() < least:
             self._window.resizeDocks([dock], [least], Qt.Orientation.Vertical)
+
+
+class _Strip(QToolBar):
+    """A view along the bottom of the window, across its whole width."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(tr(PANES[_STRIP].title), window)
+        self.setObjectName("strip")
+        self.setMovable(False)
+        window.addToolBar(Qt.ToolBarArea.BottomToolBarArea, self)
+
+    def put(self, view: QWidget) -> None:
+        view.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.addWidget(view)
 
 
 class _Dock(QDockWidget):
@@ -169,7 +196,7 @@ class EarlyParts(QObject):
         super().__init__(window)
         self.document = document
         self.commands = Commands(window)
-        self.messages = messages = MessageBar()
+        self.messages = messages = Messages()
         self.log = LogView()
         messages.message.connect(self.log.add)
         self.forms = Forms(document)
@@ -181,7 +208,9 @@ class EarlyParts(QObject):
         document.session_changed.connect(self.panes.name_light)
         self.dialogs = FileDialogs(document, settings, window)
         self._bar = window.statusBar()
-        self.status = RunStatus(self._bar)
+        self.shelf = shelf = Shelf()
+        shelf.written.connect(self._announce)
+        self.status = RunStatus(self._bar, shelf)
 
     def begin(self, begin: Callable[[], None]) -> None:
         self.forms.commit()
@@ -190,6 +219,9 @@ class EarlyParts(QObject):
         else:
             self.messages.make_way()
             begin()
+
+    def _announce(self, outcome: str, path: Path) -> None:
+        self.messages.done(outcome, (tr("Open folder"), partial(open_folder, path)))
 
     def show_waiting(self, waiting: bool) -> None:
         if waiting:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.forms import Forms
-from ui.widgets.messages import MessageBar, Offer
+from ui.widgets.messages import Messages, Offer
 from ui.words import capitalised, error_text, later, tr
 from workbench.design.task import changed_on_disk, why_not_kept
 from workbench.errors import Refused
@@ -52,7 +52,7 @@ _A_START = later(
 class Notice(QObject):
     """A message about the design, withdrawn as soon as the document has another session."""
 
-    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._messages, self._text = document, messages, ""
         self._about: Session | None = None  # the session during which the message stays
@@ -75,12 +75,13 @@ class Notice(QObject):
 class RefusedFields(QObject):
     """Reports refused fields, as long as there are any."""
 
-    def __init__(self, forms: Forms, messages: MessageBar, parent: QObject) -> None:
+    def __init__(self, forms: Forms, messages: Messages, parent: QObject) -> None:
         super().__init__(parent)
         self._forms, self._messages, self._text = forms, messages, ""
         forms.refusals_changed.connect(self._follow)
 
     def show(self) -> None:
+        self._messages.withdraw(self._text)
         first, *others = self._forms.refusals
         more = tr(" ({count} more refused)").format(count=len(others)) if others else ""
         self._text = tr("{first}{others}. Correct it, or press Esc.").format(
@@ -89,18 +90,18 @@ class RefusedFields(QObject):
         self._messages.warn(self._text)
 
     def _follow(self) -> None:
-        if self._text and self._messages.text == self._text:
+        if any(notice.text == self._text for notice in self._messages.notices):
             if self._forms.refusals:
                 self.show()
             else:
-                self._messages.clear()
+                self._messages.withdraw(self._text)
 
 
 class PostponedEdits(QObject):
     """Reports which edits wait for the end of a run, and offers to stop it."""
 
     def __init__(
-        self, forms: Forms, control: "RunControl", messages: MessageBar, parent: QObject
+        self, forms: Forms, control: "RunControl", messages: Messages, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._forms, self._control, self._messages, self._text = forms, control, messages, ""
@@ -115,13 +116,10 @@ class PostponedEdits(QObject):
         self._offer(f"{sentence} {self._forms.postponed_text}")
 
     def _offer(self, sentence: str) -> None:
+        self._messages.withdraw(self._text)
         self._text = sentence
         stop = (tr("Stop and apply"), self._control.runner.stop)
-        self._messages.note(sentence, stop, (tr("Discard"), self._discard))
-
-    def _discard(self) -> None:
-        self._messages.withdraw(self._text)
-        self._forms.drop_postponed_edits()
+        self._messages.note(sentence, stop, (tr("Discard"), self._forms.drop_postponed_edits))
 
 
 class CarriedLens(Notice):
@@ -133,7 +131,7 @@ class CarriedLens(Notice):
 
     noted = Signal(str)
 
-    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
         super().__init__(document, messages, parent)
         # Whether live update designs another lens for a session: then there is no message.
         self.followed: Callable[[Session], bool] = lambda _: False
@@ -242,7 +240,7 @@ def _size(shape: tuple[int, int]) -> str:
 class TargetImage(Notice):
     """Reports that the target's image is not stored, or has changed on disk."""
 
-    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
         super().__init__(document, messages, parent)
         document.edited.connect(self._report_edit)
 
@@ -287,7 +285,7 @@ class TargetImage(Notice):
 class UnitChange(Notice):
     """Reports that a change of unit converted all lengths, and offers to keep the numbers."""
 
-    def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
+    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
         super().__init__(document, messages, parent)
         document.edited.connect(self._report)
 

@@ -17,10 +17,12 @@ from PySide6.QtWidgets import (
 )
 
 from ui.commands.panes import PANES
+from ui.widgets.controls import filled
 from ui.words import tr
 
 _HANDLE = 7  # pixels, of the handle between two views
 _STEP = 0.05  # of the width, for an arrow key
+_OVER = 8, 8, 8, 40  # pixels around what lies over the views: their controls are free
 _FRAME = 2  # pixels around the panel, highlighted when it has the keyboard
 
 
@@ -71,7 +73,8 @@ class ImagePanel(QFrame):
         layout = QGridLayout(self)
         layout.setContentsMargins(*4 * [_FRAME])
         layout.addLayout(box, 0, 0)
-        layout.addWidget(over, 0, 0, Qt.AlignmentFlag.AlignTop)
+        corner = filled(QVBoxLayout(), over, margins=_OVER)
+        layout.addLayout(corner, 0, 0, Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignRight)
         self._show()
 
     @property

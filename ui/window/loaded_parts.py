@@ -14,7 +14,7 @@ from ui.manufacture.tolerance_pane import TolerancePane
 from ui.panels.edits import Edit
 from ui.run.cards import Findings, ResultCards
 from ui.run.check_figures import CheckFigures
-from ui.run.checks import BoundOfDesign, Check, verified_error
+from ui.run.checks import BoundOfDesign, Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.log import RunLog
@@ -75,6 +75,14 @@ class LoadedParts(QObject):
         views.shared.changed.connect(self._follow_marking)
         views.follow(document, shown, self.control.history)
         views.scene.escaped.connect(early.commands["turn"].trigger)
+        early.shelf.follow(
+            self.check.background,
+            self.runs.check.background,
+            self.plots.background,
+            self.tolerances.background,
+            self.manufacture.background,
+            views.photo.background,
+        )
         self._connect_run()
         self._connect_check()
         self._connect_cards()
@@ -107,16 +115,13 @@ class LoadedParts(QObject):
         shown.frame_changed.connect(self.check.show_frame)
         shown.frame_changed.connect(self._show_frame)
         shown.emptied.connect(self.check.show_nothing)
-        shown.outdated_changed.connect(early.status.show_outdated)
         early.document.session_changed.connect(self.check.show_design)
-        shown.emptied.connect(early.status.show_nothing)
         runner.failed.connect(early.messages.warn)
         runner.waiting.connect(early.show_waiting)
         runner.state_changed.connect(self.state_changed)
         self.runs.check.failed.connect(early.log.add)
-        self.runs.check.figures_changed.connect(early.status.show_check_of_run)
         self.runs.compared.connect(self.views.loss.show_runs)
-        self.views.history_slider.continued.connect(
+        self.views.loss.continued.connect(
             lambda frame: early.begin(lambda: control.go_on_from(frame))
         )
 
@@ -124,11 +129,9 @@ class LoadedParts(QObject):
         check, figures, early = self.check, self.figures, self._early
         check.use_rays(figures.rays)
         figures.rays_chosen.connect(check.use_rays)
-        check.figures_changed.connect(figures.follow)
+        check.under_way_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
-        show_check = early.status.show_check
-        check.figures_changed.connect(lambda text: show_check(text if check.busy else ""))
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)
@@ -140,7 +143,7 @@ class LoadedParts(QObject):
         self.shown.frame_changed.connect(findings.show_frame)
         self.shown.emptied.connect(findings.show_nothing)
         self.shown.outdated_changed.connect(cards.show_outdated)
-        self.runs.checked.connect(self._refresh)
+        self.runs.checked.connect(findings.refresh)
         self.bound.found.connect(findings.use_bounds)
         self.bound.found.connect(lambda _, sentence: cards.setToolTip(sentence))
         findings.located.connect(self.views.scene.show_spots)
@@ -204,14 +207,7 @@ class LoadedParts(QObject):
         self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
 
     def _show_frame(self, frame: "Frame") -> None:
-        found = self.runs.error_of(frame)
-        verified = "" if found is None else verified_error(found)
-        self._early.status.show_frame(frame, self.control.busy, verified)
-
-    def _refresh(self) -> None:
-        if self.shown.frame is not None:
-            self._show_frame(self.shown.frame)
-            self.findings.refresh()
+        self._early.status.show_frame(frame, self.control.busy)
 
     def _reword_check(self, under_way: bool) -> None:
         commands = self._early.commands

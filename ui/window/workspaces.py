@@ -9,7 +9,7 @@ from PySide6.QtCore import QByteArray, QObject, QSettings, QSize, Qt, QTimer, Si
 from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import LOOK, Commands
-from ui.commands.panes import WORKSPACES, Tabs
+from ui.commands.panes import WORKSPACES, Tabs, Workspace
 from ui.window.docks import Panes
 from ui.words import tr
 
@@ -120,18 +120,24 @@ class Workspaces(QObject):
         return f"{_KEPT}/{self.name}{shape}"
 
     @property
+    def _workspace(self) -> Workspace:
+        return WORKSPACES.get(self.name, WORKSPACES["design"])
+
+    @property
     def _wide(self) -> bool:
         return self._aspect > _WIDE
 
     def _show(self) -> None:
         for dock in self._panes.docks.values():
             dock.show_title(self.name == CUSTOM)
+        self._panes.strip.setVisible(self._workspace.strip)
         kept = self._settings.value(self._key)
         if not (isinstance(kept, QByteArray) and self._window.restoreState(kept, _VERSION)):
             self._arrange()
 
     def _arrange(self) -> None:
         window, docks = self._window, self._panes.docks
+        self._panes.strip.setVisible(self._workspace.strip)
         for dock in docks.values():
             window.removeDockWidget(dock)
         places = self._places()
@@ -159,7 +165,7 @@ class Workspaces(QObject):
 
     def _places(self) -> dict[Qt.DockWidgetArea, tuple[Tabs, ...]]:
         """Groups of docks by areas."""
-        shown = WORKSPACES.get(self.name, WORKSPACES["design"])
+        shown = self._workspace
         if not self._wide:
             return {_LEFT_AREA: shown.left, _RIGHT_AREA: shown.right}
         below = tuple(group for group in shown.right if group == _SCENE)

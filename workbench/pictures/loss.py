@@ -24,11 +24,11 @@ _EXTREMES = 1e-200, 1e200  # of an axis: ticks far beyond the ends are still fin
 _SHORT_RANGE = 50
 _NAME = 13  # width of a legend entry, in letters
 _MARK = "#8a8f98"  # seen on light and dark
-_THIS_RUN = "#2f86d1"
-_CHECKED = "#d9822b"
+THIS_RUN = "#2f86d1"
+CHECKED = "#d9822b"
 # Okabe and Ito's colours that are visible on light and dark, with different strokes; those least
 # like the colour of checks first.
-_OTHERS = (
+OTHERS = (
     ("#009e73", "--"),
     ("#cc79a7", "-."),
     ("#56b4e9", (0, (1, 1))),
@@ -82,20 +82,20 @@ class LossPicture(UpdatedPicture):
         self._has_points = False
         # Columns, top and lines of the legend.
         self._legend: tuple[int, float, list[Line2D]] = (0, 0.0, [])
-        look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
+        look = {"color": THIS_RUN, "linewidth": 1.5, "zorder": 3}
         (self._line,) = axes.plot([], [], **look, label=Message("this run"))  # type: ignore[arg-type]
         (self._points,) = axes.plot(
             [],
             [],
             "o",
-            color=_CHECKED,
+            color=CHECKED,
             markersize=5,
             zorder=4,
             clip_on=False,
             label=Message("verified"),
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
-        (self._end,) = axes.plot([], [], "o", color=_THIS_RUN, markersize=4, zorder=3.5)
+        (self._end,) = axes.plot([], [], "o", color=THIS_RUN, markersize=4, zorder=3.5)
         self._end.set_clip_on(False)
         self._end.set_in_layout(False)
         self._value = axes.text(
@@ -114,7 +114,7 @@ class LossPicture(UpdatedPicture):
         self._runs = tuple(runs)
         self._others = []
         for number, run in enumerate(runs):
-            colour, stroke = _OTHERS[number % len(_OTHERS)]
+            colour, stroke = OTHERS[number % len(OTHERS)]
             (line,) = self._axes.plot(
                 self._x_values(run.losses, run.times),
                 run.losses,
@@ -241,7 +241,7 @@ def draw_courses(axes: "Axes", runs: Sequence[LossCourse]) -> None:
     """Draw the losses of several runs against iterations."""
     label_curves(axes, Message("iteration"), Message("loss"))
     axes.set_yscale("log")
-    for run, (colour, stroke) in zip(runs, ((_THIS_RUN, "-"), *_OTHERS), strict=False):
+    for run, (colour, stroke) in zip(runs, ((THIS_RUN, "-"), *OTHERS), strict=False):
         x_values = np.arange(1, run.losses.size + 1)
         axes.plot(x_values, run.losses, color=colour, linestyle=stroke, label=run.name)
     axes.legend(fontsize=FONT, frameon=False, labelcolor="linecolor")

@@ -15,7 +15,7 @@ from ui.files.plots import Plots
 from ui.views.light_images import IrradianceView
 from ui.views.loss_view import LossView
 from ui.views.surface_view import SurfaceView
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import Messages
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def views(frame, show, qtbot):
 
 @pytest.fixture
 def plots(views, session, settings, qtbot):
-    messages = MessageBar()
+    messages = Messages()
     qtbot.addWidget(messages)
     window = next(iter(views.values())).window()
     document = Document(session, "lens", window)

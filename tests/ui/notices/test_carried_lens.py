@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from tests.ui.hands import enter
 from ui.document.document import Document
 from ui.panels.forms import Forms
-from ui.widgets.messages import MessageBar
+from ui.widgets.messages import Messages
 from ui.window.edit_notices import CarriedLens
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import FaceArrays
@@ -30,7 +30,7 @@ def desk(qtbot, session, history, rng):
         "designed",
     )
     document.setParent(owner := QObject())
-    owner.forms, owner.messages, owner.document = Forms(document), MessageBar(), document
+    owner.forms, owner.messages, owner.document = Forms(document), Messages(), document
     owner.log = []
     CarriedLens(document, owner.messages, owner).noted.connect(owner.log.append)
     qtbot.addWidget(owner.forms)
