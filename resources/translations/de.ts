@@ -1805,6 +1805,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} von {wanted} Entwürfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Designs and checks a lens for each value, or each pair of values of two fields. The folder gets the sessions and a table (CSV, JSON). Finished designs are skipped.</source>
             <translation>Entwirft und prüft eine Linse für jeden Wert oder jedes Wertepaar zweier Felder. Der Ordner erhält die Sitzungen und eine Tabelle (CSV, JSON). Fertige Entwürfe werden übersprungen.</translation>
         </message>
@@ -1890,11 +1895,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>{count} of {wanted} designs</source>
-            <translation>{count} von {wanted} Entwürfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
             <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
             <translation>Werte durch Kommas trennen: 1, 2.5, 3; Bereiche wie 0..4; Paare wie 64x48; Wörter wie auto. Längen in der Einheit der Szene.</translation>
         </message>
@@ -1965,8 +1965,8 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>The loss falls while the lens improves. The slider below shows earlier iterations; you can continue from any of them.</source>
-            <translation>Der Verlust fällt, während die Linse besser wird. Der Regler darunter zeigt frühere Iterationen; von jeder lässt sich fortsetzen.</translation>
+            <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -2190,11 +2190,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file was written.</source>
-            <translation>Keine Datei geschrieben.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Fräsen: {lens}</translation>
         </message>
@@ -2220,13 +2215,18 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writing {name}…</source>
-            <translation>{name} wird geschrieben …</translation>
+            <source>Export {name}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Export {lens}</source>
             <translation>Exportieren: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No file was written.</source>
+            <translation>Keine Datei geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2250,8 +2250,8 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writing {file}, with a check of {lens}…</source>
-            <translation>{file} wird geschrieben, mit einer Prüfung: {lens} …</translation>
+            <source>Report {name}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2287,6 +2287,11 @@
             <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} ist geschrieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Open folder</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2975,8 +2980,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Computing the figures: {percent} %</source>
-            <translation>Kennwerte werden berechnet: {percent} %</translation>
+            <source>Computing the figures…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Analysis of the face</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3890,8 +3900,13 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source> Outdated figures: the design has changed.</source>
-            <translation> Veraltete Kennzahlen: der Entwurf hat sich geändert.</translation>
+            <source>Outdated figures: the design has changed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Checking…</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -3905,26 +3920,6 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>checking…</source>
-            <translation>Prüfung läuft …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>Prüfung läuft … {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>Check failed</source>
-            <translation>Prüfung fehlgeschlagen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>Verified error {verified}</source>
-            <translation>Geprüfter Fehler {verified}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
             <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
             <translation>Prüfung mit {rays:,} Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit Strahlrauschen {relative_l2:.2f} ± {noise:.2f} %, Verlust {loss}; {efficiency:.1f} % {place}</translation>
         </message>
@@ -3935,8 +3930,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>Verified error {error} at iteration {iteration}</source>
-            <translation>Geprüfter Fehler {error} bei Iteration {iteration}</translation>
+            <source>Check of the run</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4069,11 +4064,6 @@
             <translation>Entwurf des fehlenden Spiegels</translation>
         </message>
         <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>Updating: error {error}</source>
-            <translation>Aktualisierung: Fehler {error}</translation>
-        </message>
-        <message>
             <location filename="../../ui/run/kept_runs.py" />
             <source>Run {number}: {description}</source>
             <translation>Lauf {number}: {description}</translation>
@@ -4185,63 +4175,18 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Error {error} · light {place} {shares}</source>
-            <translation>Fehler {error} · Licht {place} {shares}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Verified error {error} · light {place} {shares}</source>
-            <translation>Geprüfter Fehler {error} · Licht {place} {shares}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>loss {loss}</source>
-            <translation>Zielfunktion {loss}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>{time} elapsed</source>
-            <translation>Zeit {time}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>at most {time} left</source>
             <translation>höchstens noch {time}</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Outdated:</source>
-            <translation>Veraltet:</translation>
+            <source>Progress of the design</source>
+            <translation>Fortschritt des Entwurfs</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Finished iterations, and the current rate</source>
             <translation>Erledigte Iterationen und ihre Rate</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>The independent check of this run, or of this design</source>
-            <translation>Die unabhängige Prüfung dieses Laufs oder dieses Entwurfs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image, by the independent check once that is done, else as the optimiser computes it, and the fraction of the flux on the receiver</source>
-            <translation>Relativer L2-Fehler des Bildes, nach der unabhängigen Prüfung, sobald sie fertig ist, sonst wie der Optimierer ihn berechnet, und der Anteil des Flusses auf dem Empfänger</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>in the far field</source>
-            <translation>im Fernfeld</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Loss that the optimiser minimises</source>
-            <translation>Verlust, den der Optimierer minimiert</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Run time</source>
-            <translation>Laufzeit</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4252,11 +4197,6 @@
             <location filename="../../ui/run/status.py" />
             <source>{time} left</source>
             <translation>noch {time}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Progress of the design</source>
-            <translation>Fortschritt des Entwurfs</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4312,6 +4252,11 @@
             <location filename="../../ui/run/table.py" />
             <source>Time</source>
             <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Run time</source>
+            <translation>Laufzeit</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4594,64 +4539,49 @@
             <translation>Summe aller Teile; 100 %, wenn die Bilanz vollständig ist.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Iteration of the run</source>
             <translation>Iteration des Laufs</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Show the design at an earlier iteration of the run</source>
-            <translation>Entwurf bei einer früheren Iteration des Laufs zeigen</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Iteration {number}: loss {loss}</source>
+            <translation type="unfinished" />
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>iteration {number}</source>
-            <translation>Iteration {number}</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
+            <translation>Der Verlust eines Laufs wird hier gezeichnet. Lauf &gt; Start startet einen Lauf.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Loss that the optimiser minimises</source>
+            <translation>Verlust, den der Optimierer minimiert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Loss {loss}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Continue from here</source>
             <translation>Von hier fortsetzen</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
             <translation>Entwurf dieser Iteration wiederherstellen und von ihm fortsetzen; Rückgängig stellt den späteren wieder her</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Axes</source>
-            <translation>Achsen</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Drag along the curve, or press arrows on it, to show an earlier iteration</source>
+            <translation type="unfinished" />
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Axes of the plot</source>
-            <translation>Achsen des Diagramms</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Against iterations</source>
-            <translation>Über Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Against seconds</source>
-            <translation>Über Sekunden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Logarithmic x</source>
-            <translation>x logarithmisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Logarithmic y</source>
-            <translation>y logarithmisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
-            <translation>Der Verlust eines Laufs wird hier gezeichnet. Lauf &gt; Start startet einen Lauf.</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>iteration {number}</source>
+            <translation>Iteration {number}</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4823,6 +4753,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/widgets/messages.py" />
             <source>Messages of runs, checks and exports appear here.</source>
             <translation>Hier stehen Meldungen von Läufen, Prüfungen und Exporten.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Progress of {task}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Ends soon…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Checks, exports, reports and sweeps in the background</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Progress of the tasks</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Tasks</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>No tasks. Checks, exports, reports and sweeps appear here.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Tasks ({count})</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
@@ -5293,6 +5258,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>far field</source>
             <translation>Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>in the far field</source>
+            <translation>im Fernfeld</translation>
         </message>
         <message>
             <location filename="../../workbench" />

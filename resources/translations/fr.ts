@@ -1805,6 +1805,11 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} conceptions sur {wanted}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/sweep.py" />
             <source>Designs and checks a lens for each value, or each pair of values of two fields. The folder gets the sessions and a table (CSV, JSON). Finished designs are skipped.</source>
             <translation>Conçoit et vérifie une lentille pour chaque valeur, ou chaque paire de valeurs de deux champs. Le dossier reçoit les sessions et un tableau (CSV, JSON). Les conceptions terminées sont ignorées.</translation>
         </message>
@@ -1890,11 +1895,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>{count} of {wanted} designs</source>
-            <translation>{count} conceptions sur {wanted}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
             <source>Separate values by commas: 1, 2.5, 3; ranges as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
             <translation>Séparer les valeurs par des virgules : 1, 2.5, 3 ; plages comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
         </message>
@@ -1965,8 +1965,8 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
-            <source>The loss falls while the lens improves. The slider below shows earlier iterations; you can continue from any of them.</source>
-            <translation>La perte baisse quand la lentille s'améliore. Le curseur montre les itérations précédentes ; on peut continuer à partir de chacune.</translation>
+            <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -2190,11 +2190,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>No file was written.</source>
-            <translation>Aucun fichier n'a été écrit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Usiner : {lens}</translation>
         </message>
@@ -2220,13 +2215,18 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writing {name}…</source>
-            <translation>Écriture de {name}…</translation>
+            <source>Export {name}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Export {lens}</source>
             <translation>Exporter : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No file was written.</source>
+            <translation>Aucun fichier n'a été écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2250,8 +2250,8 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writing {file}, with a check of {lens}…</source>
-            <translation>Écriture de {file}, avec vérification : {lens}…</translation>
+            <source>Report {name}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2287,6 +2287,11 @@
             <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} est écrit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Open folder</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2975,8 +2980,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Computing the figures: {percent} %</source>
-            <translation>Calcul des valeurs : {percent} %</translation>
+            <source>Computing the figures…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Analysis of the face</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3890,8 +3900,13 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source> Outdated figures: the design has changed.</source>
-            <translation> Chiffres obsolètes : la conception a changé.</translation>
+            <source>Outdated figures: the design has changed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Checking…</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -3905,26 +3920,6 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>checking…</source>
-            <translation>vérification en cours…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>checking… {part:.0f} %</source>
-            <translation>vérification… {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>Check failed</source>
-            <translation>Échec de la vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
-            <source>Verified error {verified}</source>
-            <translation>Erreur vérifiée {verified}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/checks.py" />
             <source>Check with {rays:,} rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with ray noise {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
             <translation>Vérification avec {rays:,} rayons : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec le bruit des rayons {relative_l2:.2f} ± {noise:.2f} %, perte {loss} ; {efficiency:.1f} % {place}</translation>
         </message>
@@ -3935,8 +3930,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>Verified error {error} at iteration {iteration}</source>
-            <translation>Erreur vérifiée {error} à l'itération {iteration}</translation>
+            <source>Check of the run</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4069,11 +4064,6 @@
             <translation>conception du miroir manquant</translation>
         </message>
         <message>
-            <location filename="../../ui/run/follow.py" />
-            <source>Updating: error {error}</source>
-            <translation>Mise à jour : erreur {error}</translation>
-        </message>
-        <message>
             <location filename="../../ui/run/kept_runs.py" />
             <source>Run {number}: {description}</source>
             <translation>Exécution {number} : {description}</translation>
@@ -4185,63 +4175,18 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Error {error} · light {place} {shares}</source>
-            <translation>Erreur {error} · lumière {place} {shares}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Verified error {error} · light {place} {shares}</source>
-            <translation>Erreur vérifiée {error} · lumière {place} {shares}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>loss {loss}</source>
-            <translation>coût {loss}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>{time} elapsed</source>
-            <translation>durée {time}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>at most {time} left</source>
             <translation>au plus {time} restant</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Outdated:</source>
-            <translation>Obsolète :</translation>
+            <source>Progress of the design</source>
+            <translation>Avancement de la conception</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
             <source>Finished iterations, and the current rate</source>
             <translation>Itérations terminées et rythme actuel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>The independent check of this run, or of this design</source>
-            <translation>Le contrôle indépendant de cette exécution ou de cette conception</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Relative L2 error of the image, by the independent check once that is done, else as the optimiser computes it, and the fraction of the flux on the receiver</source>
-            <translation>Erreur L2 relative de l'image, selon le contrôle indépendant dès qu'il est fait, sinon calculée par l'optimiseur, et part du flux sur le récepteur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>in the far field</source>
-            <translation>dans le champ lointain</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Loss that the optimiser minimises</source>
-            <translation>Perte que l'optimiseur minimise</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Run time</source>
-            <translation>Durée d'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4252,11 +4197,6 @@
             <location filename="../../ui/run/status.py" />
             <source>{time} left</source>
             <translation>{time} restant</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
-            <source>Progress of the design</source>
-            <translation>Avancement de la conception</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4312,6 +4252,11 @@
             <location filename="../../ui/run/table.py" />
             <source>Time</source>
             <translation>Durée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Run time</source>
+            <translation>Durée d'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4594,64 +4539,49 @@
             <translation>Somme de toutes les parts ; 100 % si le bilan est complet.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Iteration of the run</source>
             <translation>Itération de l'exécution</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Show the design at an earlier iteration of the run</source>
-            <translation>Montrer la conception à une itération antérieure de l'exécution</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Iteration {number}: loss {loss}</source>
+            <translation type="unfinished" />
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>iteration {number}</source>
-            <translation>itération {number}</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
+            <translation>La perte d'une exécution est tracée ici. Exécution &gt; Démarrer en lance une.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Loss that the optimiser minimises</source>
+            <translation>Perte que l'optimiseur minimise</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Loss {loss}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Continue from here</source>
             <translation>Continuer d'ici</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
+            <location filename="../../ui/views/loss_strip.py" />
             <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
             <translation>Rétablir la conception de cette itération et continuer ; Annuler rétablit la suivante</translation>
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Axes</source>
-            <translation>Axes</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>Drag along the curve, or press arrows on it, to show an earlier iteration</source>
+            <translation type="unfinished" />
         </message>
         <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Axes of the plot</source>
-            <translation>Axes du graphique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Against iterations</source>
-            <translation>Selon les itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Against seconds</source>
-            <translation>Selon les secondes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Logarithmic x</source>
-            <translation>x logarithmique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>Logarithmic y</source>
-            <translation>y logarithmique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/loss_view.py" />
-            <source>The loss of a run is plotted here. Run &gt; Start starts a run.</source>
-            <translation>La perte d'une exécution est tracée ici. Exécution &gt; Démarrer en lance une.</translation>
+            <location filename="../../ui/views/loss_strip.py" />
+            <source>iteration {number}</source>
+            <translation>itération {number}</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -4823,6 +4753,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/widgets/messages.py" />
             <source>Messages of runs, checks and exports appear here.</source>
             <translation>Les messages des exécutions, vérifications et exports apparaissent ici.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Progress of {task}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Ends soon…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Checks, exports, reports and sweeps in the background</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Progress of the tasks</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Tasks</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>No tasks. Checks, exports, reports and sweeps appear here.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/widgets/shelf.py" />
+            <source>Tasks ({count})</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
@@ -5293,6 +5258,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>far field</source>
             <translation>champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>in the far field</source>
+            <translation>dans le champ lointain</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -48,7 +48,7 @@ class Notice(QFrame):
         super().__init__()
         self.setObjectName(kind)  # for the style sheet
         self.setAccessibleName(text)
-        self.text = text
+        self.kind, self.text, self.fades = kind, text, fades
         mark = Mark(_MARKS[kind])
         words = WrappedLabel(text, textFormat=Qt.TextFormat.PlainText)
         words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -130,7 +130,7 @@ class Messages(QWidget):
 
     def make_way(self) -> None:
         """Remove messages about the lens before a run."""
-        for notice in [notice for notice in self.notices if notice.objectName() != "done"]:
+        for notice in [notice for notice in self.notices if notice.kind != "done"]:
             self._remove(notice)
 
     def clear(self) -> None:
@@ -139,9 +139,8 @@ class Messages(QWidget):
 
     def _show(self, kind: str, text: str, offers: Sequence[Offer], fades: bool = False) -> None:
         self.withdraw(text)
-        if len(self.notices) >= _MOST:  # warnings last
-            mild = (notice for notice in self.notices if notice.objectName() != "warning")
-            self._remove(next(mild, self.notices[0]))
+        if len(self.notices) >= _MOST:  # notes go first, warnings last
+            self._remove(min(self.notices, key=lambda each: (not each.fades, each.kind)))
         notice = Notice(kind, text, offers, fades)
         notice.closed.connect(partial(self._remove, notice))
         self.notices.append(notice)

@@ -42,23 +42,25 @@ def window(display, open_window, designed, qtbot):
     return window
 
 
-def figures(window):
-    return window.status._check.text()
+def parts(window):
+    """Of the checks under way, as the shelf shows them."""
+    return [task.part for task in window.early.shelf.running if task.title == "Check"]
 
 
 def is_verified(window):
-    return window.status._light.text().startswith("Verified error")
+    return " verified error" in window.loaded.cards.cards["error"].text
 
 
-def test_the_figures_stand_beside_the_loss(window, few_rays, qtbot):
+def test_the_verified_error_stands_on_a_card(window, few_rays, qtbot):
     window.commands["check"].trigger()
-    assert figures(window) == "checking…"
+    assert parts(window) == [None]
     qtbot.waitUntil(lambda: is_verified(window), timeout=60_000)
     session = window.document.session
     steps = validating(session.scene, session.target, session.result.state.heights, RAYS)
     found = finished(steps)
     error = verified_error(found)
-    assert f"Verified error {error} · " in window.status._light.text() and figures(window) == ""
+    assert f"{error} verified error" in window.loaded.cards.cards["error"].text
+    assert parts(window) == [] and window.early.shelf.entries == []  # nothing was written
     log = window.log.toPlainText()
     assert f"relative L2 error {error}" in log
     assert f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %" in log
@@ -84,7 +86,6 @@ def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     assert is_verified(window)  # it is the same lens
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not is_verified(window), timeout=60_000)
-    assert not window.status._check.isVisible()
     assert stack.count() == 2
 
 
@@ -93,11 +94,11 @@ def test_the_command_again_cancels_the_check(window, gate, qtbot):
     check.trigger()
     assert check.text() == "Cancel &check"
     gate.release(1)
-    qtbot.waitUntil(lambda: figures(window) == "checking… 25 %")
+    qtbot.waitUntil(lambda: parts(window) == [0.25])
     check.trigger()
-    assert figures(window) == "" and check.text() == "&Check lens"
+    assert parts(window) == [] and check.text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.loaded.check._background.running)
+    qtbot.waitUntil(lambda: not window.loaded.check.background.running)
     assert len(gate.left) == 1
     assert "Check with" not in window.log.toPlainText()
     check.trigger()
@@ -113,12 +114,12 @@ def test_escape_cancels_the_check_where_no_tool_needs_the_key(window, gate, qtbo
     window.commands["check"].trigger()
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
     assert window.commands["turn"].isChecked()
-    assert figures(window).startswith("checking…")
+    assert len(parts(window)) == 1
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     qtbot.keyClick(scene._plotter, Qt.Key.Key_Escape)
-    assert figures(window) == "" and window.commands["check"].text() == "&Check lens"
+    assert parts(window) == [] and window.commands["check"].text() == "&Check lens"
     gate.release(1)  # the step that it was in
-    qtbot.waitUntil(lambda: not window.loaded.check._background.running)
+    qtbot.waitUntil(lambda: not window.loaded.check.background.running)
     assert len(gate.left) == 1
 
 
@@ -129,7 +130,7 @@ def test_a_check_that_fails_shows_the_reason(window, monkeypatch, qtbot):
     monkeypatch.setattr("workbench.analysis.validation.validating", dark)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
-    assert figures(window) == ""
+    assert parts(window) == [] and "no light" in window.early.shelf.entries[0].outcome.text()
     monkeypatch.setattr("workbench.analysis.validation.validating", lambda *_, **named: 1 / 0)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
@@ -144,7 +145,7 @@ def test_closing_the_window_ends_a_check(window, gate, qtbot):
     next_step.start()
     window.discard_and_close()
     next_step.join()
-    assert not check._background.running
+    assert not check.background.running
     assert gate.left == gate.begun
 
 

@@ -30,7 +30,7 @@ def test_keys_cycle_the_focus_through_all_visible_panes(window, qtbot):
     docks = window.panes.docks
     seen = {name for name, dock in docks.items() if dock.seen}
     visited = []
-    for _ in range(len(seen) + 2):  # and the scene, and the toolbar
+    for _ in range(len(seen) + 3):  # and the image, the strip and the toolbar
         visited += [name for name, dock in docks.items() if holds_focus(dock)]
         qtbot.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ControlModifier)
     assert sorted(visited) == sorted(seen) and len(seen) >= 3

@@ -24,7 +24,7 @@ def window(open_window, designed):
 def export(window, path, qtbot, monkeypatch):
     monkeypatch.setattr(window.exporter, "ask_for_name", lambda: path)
     window.commands["export"].trigger()
-    qtbot.waitUntil(lambda: not window.exporter._background.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.exporter.background.busy, timeout=60_000)
 
 
 @pytest.mark.parametrize("name", ["lens.stl", "lens.dat", "lens.irradiance.npy"])
@@ -42,7 +42,7 @@ def test_a_file_is_written_and_its_deviation_shown(window, name, tmp_path, qtbot
 def test_a_file_that_cannot_be_written_is_reported(window, name, tmp_path, qtbot, monkeypatch):
     export(window, tmp_path / name, qtbot, monkeypatch)
     assert str(tmp_path / name.split("/")[0]) in window.messages.text
-    assert window.messages.objectName() == "warning"
+    assert window.messages.notices[-1].kind == "warning"
     assert not (tmp_path / name).exists()
 
 
@@ -112,9 +112,9 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, files, plan, mesh_unit, task):
+    def write(session, files, plan, mesh_unit, lens, task):
         assert release.wait(30)
-        return ["written"]
+        task.outcome = f"written; {lens}"
 
     monkeypatch.setattr("ui.files.exporter._write", write)
     yield release
@@ -127,13 +127,14 @@ def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held
     timer.timeout.connect(lambda: ticks.append(1))
     timer.start()
     window.exporter.export(tmp_path / "one.stl")
-    assert "Writing one.stl" in window.messages.text
+    (entry,) = window.early.shelf.entries
+    assert entry.task.title == "Export one.stl"
     qtbot.waitUntil(lambda: len(ticks) > 5)
     window.exporter.export(tmp_path / "two.stl")
     assert "still being written" in window.messages.text
     timer.stop()
     held.set()
-    qtbot.waitUntil(lambda: window.messages.text.startswith("written; this lens"))
+    qtbot.waitUntil(lambda: entry.outcome.text().startswith("written; this lens"))
 
 
 def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
@@ -152,10 +153,10 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
         changed.setattr("workbench.files.export.gcode.writing", endless)
         path = tmp_path / "lens.nc"
         window.exporter._write(designed, {path: "lens"}, plan)
-        qtbot.waitUntil(lambda: "50" in window.messages.text and begun.is_set())
-        (cancel,) = window.messages.buttons
-        cancel.click()
-        qtbot.waitUntil(lambda: window.messages.text == "No file was written.")
+        (entry,) = window.early.shelf.entries
+        qtbot.waitUntil(lambda: entry.part.text() == "50 %" and begun.is_set())
+        entry.cancel.click()
+        qtbot.waitUntil(lambda: entry.outcome.text() == "No file was written.")
         assert list(tmp_path.glob("*lens*")) == []
     window.exporter._write(designed, {path: "lens"}, plan)
     qtbot.waitUntil(lambda: str(path) in window.messages.text)

@@ -22,7 +22,7 @@ def as_command(text):
 def written(window, qtbot):
     def report(path):
         window.reporter.report(path)
-        qtbot.waitUntil(lambda: not window.reporter._background.busy, timeout=120_000)
+        qtbot.waitUntil(lambda: not window.reporter.background.busy, timeout=120_000)
         return window.messages.text
 
     return report
@@ -45,7 +45,7 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
     monkeypatch.setattr(exporter, "_COMMAND", as_command(copy))
     monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
     window.commands["report"].trigger()
-    assert "Writing there.html" in window.messages.text
+    assert window.early.shelf.running[0].title == "Report there.html"
     qtbot.waitUntil(lambda: window.messages.text.startswith(f"{path}: report; "), timeout=30_000)
     assert path.read_bytes().startswith(b"PK")  # the session itself
     assert path.read_bytes().endswith(b"flat lens.freeform")
@@ -61,14 +61,14 @@ def test_a_report_that_fails_shows_the_reason(window, written, monkeypatch, tmp_
     assert path.read_text() == "before"
     monkeypatch.setattr(exporter, "_COMMAND", as_command("sys.exit(3)"))
     assert written(path) == "No report: it ended without a message"
-    assert window.messages.objectName() == "warning"
+    assert window.messages.notices[-1].kind == "warning"
 
 
 @pytest.mark.parametrize("name", ["a.docx", "no/a.pdf"])
 def test_unwritable_report_is_refused_at_once(window, written, name, monkeypatch, tmp_path):
     monkeypatch.setattr(exporter, "_COMMAND", ("no such program",))
     assert str(tmp_path / name) in written(tmp_path / name)
-    assert window.messages.objectName() == "warning"
+    assert window.messages.notices[-1].kind == "warning"
 
 
 @pytest.fixture
@@ -86,14 +86,14 @@ def endless(monkeypatch):
     return begun
 
 
-def test_a_report_is_cancelled_from_its_message(window, endless, tmp_path, qtbot):
+def test_a_report_is_cancelled_on_the_shelf(window, endless, tmp_path, qtbot):
     path = tmp_path / "a.pdf"
     window.reporter.report(path)
     qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
     window.reporter.report(path)
     assert "still being written" in window.messages.text
-    assert window.messages.buttons[0].text() == "Cancel"
-    window.messages.buttons[0].click()
-    qtbot.waitUntil(lambda: window.messages.text == "No file was written.", timeout=30_000)
+    (entry,) = window.early.shelf.entries
+    entry.cancel.click()
+    qtbot.waitUntil(lambda: entry.outcome.text() == "No file was written.", timeout=30_000)
     assert endless[0].returncode not in (None, 0)
     assert len(endless) == 1 and not path.exists()

@@ -175,7 +175,7 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     answer(CutterDialog._accept, fits)
     button = next(b for b in pane.findChildren(QPushButton) if b.text() == "Ball cutter…")
     button.click()
-    qtbot.waitUntil(lambda: not window.exporter._background.busy)
+    qtbot.waitUntil(lambda: not window.exporter.background.busy)
     assert "(ball cutter: radius 3.0000)" in written.read_text()
     assert str(written) in window.messages.text
     assert window.commands["cut"].isEnabled()

@@ -90,12 +90,14 @@ def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, qtbot):
     assert not pane._figures.found["steepest"].isEnabled()
     qtbot.wait(400)
     before = pane._figures.found["steepest"].text()
-    assert not pane._background.busy and not pane._rest.isActive()
-    notes = []
-    pane._background.progressed.connect(lambda *_: notes.append(pane._figures.note.text()))
+    assert not pane.background.busy and not pane._rest.isActive()
+    notes, parts = [], []
+    pane.background.progressed.connect(lambda *_: notes.append(pane._figures.note.text()))
+    pane.background.changed.connect(lambda task: parts.append(task.part))
     pane.allow(resting=True)
     qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before)
-    assert notes == [f"Computing the figures: {percent} %" for percent in (5, 35, 100)]
+    assert set(notes) == {"Computing the figures…"}
+    assert parts[0] is None and parts[1:4] == pytest.approx([0.05, 0.35, 1.0])
     assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
 
 

@@ -267,7 +267,7 @@ def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     desk.control.runner.frame_ready.connect(check.show_frame)
     check.under_way_changed.connect(desk.follow.hold)
     asked = []
-    check._background.begin = lambda work, lens: asked.append(lens)
+    check.background.begin = lambda work, lens, title: asked.append(lens)
     desk.engine.iterations, desk.engine.gets_worse = 1000, True
     desk.engine.hold()
     desk.edit(7)

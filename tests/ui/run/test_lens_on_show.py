@@ -64,7 +64,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
 def test_a_run_can_be_exported(running, qtbot, tmp_path):
     assert running.commands["export"].isEnabled() and running.commands["report"].isEnabled()
     running.exporter.export(tmp_path / "lens.stl")
-    qtbot.waitUntil(lambda: not running.exporter._background.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not running.exporter.background.busy, timeout=60_000)
     assert (tmp_path / "lens.stl").stat().st_size > 0
     assert "the best lens so far, after" in running.messages.text
 
@@ -82,7 +82,7 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     )
     assert shown.scene.receiver.z == 7
     carried.exporter.export(tmp_path / "lens.irradiance.npy")
-    qtbot.waitUntil(lambda: not carried.exporter._background.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not carried.exporter.background.busy, timeout=60_000)
     assert received in carried.messages.text
     np.testing.assert_array_equal(
         np.load(tmp_path / "lens.irradiance.npy"), shown.result.state.irradiance

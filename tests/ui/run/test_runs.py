@@ -58,7 +58,7 @@ def run(window, qtbot):
     def do(command="start"):
         with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
             window.commands[command].trigger()
-        qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
+        qtbot.waitUntil(lambda: not window.loaded.runs.check.background.busy)
 
     return do
 
@@ -162,15 +162,13 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     result = window.document.session.result
     heights, rays, threads = checks.asked[-1]
     assert heights is result.state.heights and rays == 4_000_000 and threads is None
-    qtbot.waitUntil(lambda: window.status._light.text().startswith("Verified error 1.25 % · "))
-    assert window.status._check.text() == ""
-    assert verified(window)[0] == "1.25 %"
+    qtbot.waitUntil(lambda: verified(window)[0] == "1.25 %")
     card = window.loaded.cards.cards["error"]
     qtbot.waitUntil(lambda: card.text == "1.25 % verified error.")
-    (point,) = window.loaded.views.loss._verified
+    (point,) = window.loaded.views.loss.curve.verified
     assert (point.iteration, point.loss) == (6, 0.1)
     move_screen(window.document, 7)
-    assert window.loaded.views.loss._verified == ()
+    assert window.loaded.views.loss.curve.verified == ()
     assert verified(window)[0] == "1.25 %"
 
 
@@ -181,5 +179,5 @@ def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypa
     window.loaded.control.runner._generate = as_run(20, pause=0.01)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
+    qtbot.waitUntil(lambda: not window.loaded.runs.check.background.busy)
     assert [rays for _, rays, _ in checks.asked] == [4_000_000]  # after the run

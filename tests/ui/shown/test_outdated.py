@@ -30,7 +30,7 @@ def test_a_view_is_marked_after_an_edit_until_a_frame_of_it_comes(
     assert not view.outdated
 
 
-def test_every_view_and_the_figures_in_the_status_are_marked(window, qtbot, display, kernels):
+def test_every_view_and_the_result_cards_are_marked(window, qtbot, display, kernels):
     window.build()
     loaded = window.loaded
     views = [loaded.views.scene, *loaded.views.around.values()]
@@ -39,8 +39,7 @@ def test_every_view_and_the_figures_in_the_status_are_marked(window, qtbot, disp
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: all(view.outdated for view in views))
     assert loaded.manufacture._veil.isVisibleTo(loaded.manufacture)
-    assert not window.status._outdated.isHidden()
-    assert not window.status._light.isEnabled()
+    assert not loaded.cards._veil.isHidden()
     loaded.control._preview.start(0)
     qtbot.waitUntil(lambda: not any(view.outdated for view in views))
-    assert window.status._outdated.isHidden() and window.status._light.isEnabled()
+    qtbot.waitUntil(loaded.cards._veil.isHidden)

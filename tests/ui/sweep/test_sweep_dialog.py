@@ -76,7 +76,7 @@ def test_fields_are_offered_with_what_they_are_now(dialog):
 def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     choose(dialog, 0, "run.iterations", "1, 2")
     choose(dialog, 1, "run.seed", "3,7")
-    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+    with qtbot.waitSignal(dialog.background.done, timeout=60_000):
         dialog.begin.click()
         assert dialog.begin.text() == "Stop" and not dialog.form.isEnabled()
         assert texts(dialog, 3) == ["2", "7", "…"]
@@ -103,14 +103,14 @@ def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
     dialog.begin.click()
     qtbot.waitUntil(lambda: len(dialog._rows) >= 1, timeout=60_000)
     workers.waits = True
-    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+    with qtbot.waitSignal(dialog.background.done, timeout=60_000):
         dialog.begin.click()
     done = len(dialog._rows)
     assert dialog.status.text().startswith(f"{done} of 3 designs, ")
     kept = set((tmp_path / "lenses").glob("*.freeform"))
     assert len(kept) == done
     workers.waits = False
-    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+    with qtbot.waitSignal(dialog.background.done, timeout=60_000):
         dialog.begin.click()
     assert dialog.status.text().startswith("3 of 3 designs, ")
     assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
@@ -126,7 +126,7 @@ def test_a_design_without_a_file_is_swept_only_into_a_folder_that_is_chosen(
     chosen = [str(tmp_path / "mine"), ""]
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: chosen.pop())
     dialog.toggle()
-    assert "Choose a folder" in dialog.status.text() and not dialog._background.busy
+    assert "Choose a folder" in dialog.status.text() and not dialog.background.busy
     dialog.toggle()
     qtbot.waitUntil(lambda: len(dialog._rows) == 1, timeout=60_000)
     assert (tmp_path / "mine").is_dir()

@@ -45,7 +45,7 @@ def sample(pane, qtbot, lenses=4):
     """Have lenses traced."""
     enter(pane, qtbot, "lenses", f"{lenses}")
     qtbot.mouseClick(pane.form.begin, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not pane._background.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not pane.background.busy, timeout=60_000)
 
 
 def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
@@ -99,7 +99,7 @@ def test_impossible_tolerance_is_refused_beside_its_field_and_taken_back(pane, q
         row = enter(pane, qtbot, path, text)
         assert word in row.refusal, path
         pane.toggle()
-        assert not pane._background.busy
+        assert not pane.background.busy
         qtbot.keyClick(row.editors[path], *back)
         assert not row.refusal and row.editors[path].text() != text
 
@@ -111,7 +111,7 @@ def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     qtbot.waitUntil(lambda: len(pane._sample.others) > 2, timeout=60_000)
     pane.toggle()
     assert not pane.form.begin.isEnabled()
-    qtbot.waitUntil(lambda: not pane._background.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not pane.background.busy, timeout=60_000)
     assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
     traced = len(pane._sample.others)
     assert 2 < traced < 50000 and pane.summary.text().startswith(f"{traced} of 50000 lenses: ")

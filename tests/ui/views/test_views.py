@@ -9,12 +9,13 @@ from PySide6.QtWidgets import QMainWindow
 from tests.accounts import account_of
 from ui.views.light_images import ErrorView, IrradianceView
 from ui.views.light_view import LightView
-from ui.views.loss_view import LossView
+from ui.views.loss_strip import LossStrip
 from ui.views.scene_view import SceneView
 from workbench.geometry.faces import FaceArrays
 from workbench.optics.account import Account
 
-PLOTS = [IrradianceView, ErrorView, LossView]
+PLOTS = [IrradianceView, ErrorView]
+VIEWS = [*PLOTS, LossStrip]
 
 
 @pytest.fixture
@@ -37,7 +38,7 @@ def frame(session, frames):
 def draws(monkeypatch):
     """Counts how often each view draws."""
     counts = {}
-    for kind in (*PLOTS, LightView, SceneView):
+    for kind in (*VIEWS, LightView, SceneView):
         original = kind._draw
 
         def counted(self, *args, kind=kind, original=original):
@@ -54,8 +55,8 @@ def grabbed(widget):
     return data[:, : 4 * image.width()].reshape(image.height(), image.width(), 4)[..., :3].copy()
 
 
-@pytest.mark.parametrize("kind", PLOTS)
-def test_plot_draws_the_latest_frame(kind, session, frame, draws, show, qtbot):
+@pytest.mark.parametrize("kind", VIEWS)
+def test_view_draws_the_latest_frame(kind, session, frame, draws, show, qtbot):
     view = kind()
     view.show_design(session)
     show(view, 380, 260)

@@ -1,10 +1,10 @@
-"""The course of a run: kept within bounds, looked back at, gone on from; and the list of steps."""
+"""The loss of a run: its curve shows earlier lenses, of which the design goes on."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 
 from ui.document.frame import iterations_before
 
@@ -36,33 +36,31 @@ def designed(window, qtbot):
     """The window after a run, of which at least the first and last moment are kept."""
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()
-        assert not window.loaded.views.history_slider._slider.isEnabled()
-    qtbot.waitUntil(lambda: window.loaded.views.history_slider.isVisible())
+        assert not window.loaded.views.loss.curve.isEnabled()
+    assert window.panes.strip.isVisible()  # the run has led to Design
     return window
 
 
-def test_the_slider_shows_an_earlier_lens(designed, qtbot):
-    history_slider, loss = (
-        designed.loaded.views.history_slider,
-        designed.loaded.views.around["irradiance"],
-    )
+def test_the_curve_shows_an_earlier_lens(designed, qtbot):
+    strip, image = designed.loaded.views.loss, designed.loaded.views.around["irradiance"]
     frames = designed.loaded.control.history.frames
     qtbot.wait(300)  # the preview of the result comes after the run
-    history_slider._slider.setFocus()
-    qtbot.keyClick(history_slider._slider, Qt.Key.Key_Home)
-    qtbot.waitUntil(lambda: loss._frame is frames[0])
-    assert history_slider._text.text() == f"iteration {iterations_before(frames[0])}"
+    assert strip._button.isHidden()  # the last lens is shown
+    strip.curve.setFocus()
+    qtbot.keyClick(strip.curve, Qt.Key.Key_Home)
+    qtbot.waitUntil(lambda: image._frame is frames[0])
+    qtbot.waitUntil(
+        lambda: strip._words.text().endswith(f"iteration {iterations_before(frames[0])}")
+    )
+    assert strip.curve.losses.size == 13 and strip._button.isVisible()  # the curve stays
     assert designed.document.session.result.iterations == 12
 
 
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
-    history_slider, first = (
-        designed.loaded.views.history_slider,
-        designed.loaded.control.history.frames[0],
-    )
-    history_slider._slider.setValue(0)
+    strip, first = designed.loaded.views.loss, designed.loaded.control.history.frames[0]
+    strip.curve.setValue(0)
     with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
-        qtbot.mouseClick(history_slider._button, Qt.MouseButton.LeftButton)
+        qtbot.mouseClick(strip._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
             designed.document.session.result.state.heights["lens.back"],
             first.snapshot.state.heights["lens.back"],
@@ -78,15 +76,30 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
 
 
 def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbot):
-    views, history = designed.loaded.views, designed.loaded.control.history
-    qtbot.waitUntil(lambda: views.loss._verified != ())
-    frames, verified = list(history.frames), views.loss._verified
-    assert designed.status._light.text().startswith("Verified error")
+    curve, history = designed.loaded.views.loss.curve, designed.loaded.control.history
+    qtbot.waitUntil(lambda: curve.verified != ())
+    frames, verified = list(history.frames), curve.verified
     designed.commands["undo"].trigger()
-    assert not views.history_slider.isVisible() and views.loss._verified == ()
+    assert len(curve.at) == 0 and curve.verified == ()
     designed.loaded.control._preview.stop()  # which shows the lens before the run
-    qtbot.waitUntil(lambda: not designed.status._outdated.isHidden())
+    qtbot.waitUntil(lambda: designed.loaded.views.loss.outdated)
     designed.commands["redo"].trigger()
-    assert designed.status._outdated.isHidden()
-    assert views.history_slider.isVisible() and list(history.frames) == frames
-    assert views.loss._verified == verified
+    assert not designed.loaded.views.loss.outdated
+    assert len(curve.at) == len(frames) and list(history.frames) == frames
+    assert curve.verified == verified
+
+
+def test_a_drag_along_the_curve_goes_to_the_iteration_under_the_pointer(designed, qtbot):
+    curve = designed.loaded.views.loss.curve
+    qtbot.waitUntil(lambda: curve.length == 12 and curve.isEnabled())
+    place, at = curve._place, list(curve.at)
+
+    def point(iteration):
+        return QPoint(round(place.left() + place.width() * iteration / 12), 40)
+
+    qtbot.mousePress(curve, Qt.MouseButton.LeftButton, pos=point(12))
+    for number in reversed(range(len(at))):
+        qtbot.mouseMove(curve, point(at[number]))
+        assert curve.value() == number
+    qtbot.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=point(at[0]))
+    assert curve.value() == 0
