@@ -12,7 +12,7 @@ from ui.document.frame import iterations_before
 from ui.views.image_canvas import write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
-from ui.widgets.controls import filled
+from ui.widgets.controls import STRETCH, filled
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Column, shown_data
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _HEIGHT, _LABELS, _EDGE, _DOT = 76, 64, 8, 4.0  # pixels: left of the curve, around it, of points
+_BUTTON = 160  # pixels at the right, which names leave to a button
 _FEWEST = 0.02  # decades of loss that fill the height, at least
 _AXES = 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000  # iterations of a run that goes on
 _SMALL = 0.85  # of the font, for scales
@@ -105,9 +106,8 @@ class Curve(QSlider):
         for number, other in enumerate(self.others):
             painter.setPen(QPen(QColor(OTHERS[number % len(OTHERS)][0]), 1.3))
             painter.drawPolyline(self._points(np.arange(1.0, other.losses.size + 1), other.losses))
-            painter.drawText(
-                place.adjusted(0, 12 * number, 0, 0), Qt.AlignmentFlag.AlignRight, other.name
-            )
+            beside = place.adjusted(0, 12 * number, -_BUTTON, 0)
+            painter.drawText(beside, Qt.AlignmentFlag.AlignRight, other.name)
         curve, colour = (
             self._points(np.arange(0.0, self.losses.size), self.losses),
             QColor(THIS_RUN),
@@ -184,10 +184,12 @@ class LossStrip(View):
             )
         )
         self._button.clicked.connect(lambda: self.continued.emit(self._chosen))
-        row = filled(
-            QHBoxLayout(), self._words, (self.curve, 1), self._button, margins=(8, 0, 8, 0)
+        # Over the curve, which falls from the left: a drag must not move what is under the pointer.
+        over = filled(QHBoxLayout(self.curve), STRETCH, self._button, margins=_EDGE)
+        over.setAlignment(self._button, Qt.AlignmentFlag.AlignTop)
+        self._box.addLayout(
+            filled(QHBoxLayout(), self._words, (self.curve, 1), margins=(8, 0, 0, 0))
         )
-        self._box.addLayout(row)
         self.show_frames(())
 
     def offer(self, actions: Sequence[QAction]) -> None:

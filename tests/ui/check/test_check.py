@@ -48,7 +48,8 @@ def parts(window):
 
 
 def is_verified(window):
-    return " verified error" in window.loaded.cards.cards["error"].text
+    card = window.loaded.cards.cards.get("error")
+    return card is not None and " verified error" in card.text
 
 
 def test_the_verified_error_stands_on_a_card(window, few_rays, qtbot):

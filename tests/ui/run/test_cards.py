@@ -62,7 +62,7 @@ def press(card, qtbot):
 
 def test_the_missing_lens_is_started(window, run, as_run, qtbot):
     lens = card(window, "lens", qtbot)
-    assert (lens.text, lens.mark.level) == ("There is no lens yet.", "attention")
+    assert (lens.text, lens.mark.sign) == ("There is no lens yet.", "attention")
     window.loaded.control.runner._generate = as_run(2)
     with qtbot.waitSignal(window.loaded.control.ended):
         press(lens, qtbot)
@@ -105,11 +105,11 @@ def test_goals_are_typed_and_judged(window, run, qtbot):
     fill(qtbot, light.limit, "95")
     assert window.document.session.scene.run.min_light == 0.95
     assert light.limit.text() == "95 %"
-    qtbot.waitUntil(lambda: light.mark.level == "bad")
+    qtbot.waitUntil(lambda: light.mark.sign == "bad")
     assert window.document.session.result is not None
     fill(qtbot, light.limit, "90,5 %")
     assert window.document.session.scene.run.min_light == 0.905
-    qtbot.waitUntil(lambda: light.mark.level == "good")
+    qtbot.waitUntil(lambda: light.mark.sign == "good")
     fill(qtbot, light.limit, "much")
     assert light.limit.text() == "90.5 %"
     fill(qtbot, light.limit, "")
@@ -201,7 +201,7 @@ def test_levels_differ_in_shape(qtbot, desk, window):
     qtbot.waitUntil(lambda: "error" in cards.cards)
     mark, seen = cards.cards["error"].mark, set()
     for level in ("good", "attention", "bad"):
-        mark.show_level(level)
+        mark.show_sign(level)
         image = mark.grab().toImage()
         ground = image.pixelColor(0, 0)
         filled = [image.pixelColor(x, y) != ground for y in (1, 8) for x in range(16)]

@@ -100,6 +100,6 @@ def test_a_drag_along_the_curve_goes_to_the_iteration_under_the_pointer(designed
     qtbot.mousePress(curve, Qt.MouseButton.LeftButton, pos=point(12))
     for number in reversed(range(len(at))):
         qtbot.mouseMove(curve, point(at[number]))
-        assert curve.value() == number
+        qtbot.waitUntil(lambda number=number: curve.value() == number)
     qtbot.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=point(at[0]))
     assert curve.value() == 0
