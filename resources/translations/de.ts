@@ -1966,7 +1966,7 @@
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
-            <translation type="unfinished" />
+            <translation>Der Verlust fällt, während die Linse besser wird. Ziehen Sie entlang der Kurve, um eine frühere Iteration zu zeigen; von jeder lässt sich fortsetzen.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -2216,7 +2216,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Export {name}</source>
-            <translation type="unfinished" />
+            <translation>Exportieren: {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2251,7 +2251,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Report {name}</source>
-            <translation type="unfinished" />
+            <translation>Bericht: {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2291,7 +2291,7 @@
         <message>
             <location filename="../../ui/files/plots.py" />
             <source>Open folder</source>
-            <translation type="unfinished" />
+            <translation>Ordner öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2981,12 +2981,12 @@
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Computing the figures…</source>
-            <translation type="unfinished" />
+            <translation>Kennwerte werden berechnet …</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Analysis of the face</source>
-            <translation type="unfinished" />
+            <translation>Analyse der Fläche</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3901,12 +3901,12 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Outdated figures: the design has changed.</source>
-            <translation type="unfinished" />
+            <translation>Veraltete Kennzahlen: der Entwurf hat sich geändert.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Checking…</source>
-            <translation type="unfinished" />
+            <translation>Prüfung läuft …</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -3931,7 +3931,7 @@
         <message>
             <location filename="../../ui/run/checks.py" />
             <source>Check of the run</source>
-            <translation type="unfinished" />
+            <translation>Prüfung des Laufs</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4546,7 +4546,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Iteration {number}: loss {loss}</source>
-            <translation type="unfinished" />
+            <translation>Iteration {number}: Zielfunktion {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4561,7 +4561,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Loss {loss}</source>
-            <translation type="unfinished" />
+            <translation>Zielfunktion {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4576,7 +4576,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Drag along the curve, or press arrows on it, to show an earlier iteration</source>
-            <translation type="unfinished" />
+            <translation>Entlang der Kurve ziehen oder Pfeiltasten darauf drücken, um eine frühere Iteration zu zeigen</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4757,37 +4757,37 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Progress of {task}</source>
-            <translation type="unfinished" />
+            <translation>Fortschritt: {task}</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Ends soon…</source>
-            <translation type="unfinished" />
+            <translation>Endet gleich …</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Checks, exports, reports and sweeps in the background</source>
-            <translation type="unfinished" />
+            <translation>Prüfungen, Exporte, Berichte und Reihen im Hintergrund</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Progress of the tasks</source>
-            <translation type="unfinished" />
+            <translation>Fortschritt der Vorgänge</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Tasks</source>
-            <translation type="unfinished" />
+            <translation>Vorgänge</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>No tasks. Checks, exports, reports and sweeps appear here.</source>
-            <translation type="unfinished" />
+            <translation>Keine Vorgänge. Prüfungen, Exporte, Berichte und Reihen erscheinen hier.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Tasks ({count})</source>
-            <translation type="unfinished" />
+            <translation>Vorgänge ({count})</translation>
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />

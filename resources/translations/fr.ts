@@ -1966,7 +1966,7 @@
         <message>
             <location filename="../../ui/dialogs/tour.py" />
             <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
-            <translation type="unfinished" />
+            <translation>La perte baisse quand la lentille s'améliore. Glissez le long de la courbe pour montrer une itération antérieure ; on peut continuer depuis chacune.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/tour.py" />
@@ -2216,7 +2216,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Export {name}</source>
-            <translation type="unfinished" />
+            <translation>Exporter : {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2251,7 +2251,7 @@
         <message>
             <location filename="../../ui/files/exporter.py" />
             <source>Report {name}</source>
-            <translation type="unfinished" />
+            <translation>Rapport : {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -2291,7 +2291,7 @@
         <message>
             <location filename="../../ui/files/plots.py" />
             <source>Open folder</source>
-            <translation type="unfinished" />
+            <translation>Ouvrir le dossier</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2981,12 +2981,12 @@
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Computing the figures…</source>
-            <translation type="unfinished" />
+            <translation>Calcul des valeurs…</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>Analysis of the face</source>
-            <translation type="unfinished" />
+            <translation>Analyse de la face</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3901,12 +3901,12 @@
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Outdated figures: the design has changed.</source>
-            <translation type="unfinished" />
+            <translation>Valeurs obsolètes : la conception a changé.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Checking…</source>
-            <translation type="unfinished" />
+            <translation>Vérification en cours…</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -3931,7 +3931,7 @@
         <message>
             <location filename="../../ui/run/checks.py" />
             <source>Check of the run</source>
-            <translation type="unfinished" />
+            <translation>Vérification de l'exécution</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4546,7 +4546,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Iteration {number}: loss {loss}</source>
-            <translation type="unfinished" />
+            <translation>Itération {number} : coût {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4561,7 +4561,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Loss {loss}</source>
-            <translation type="unfinished" />
+            <translation>Coût {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4576,7 +4576,7 @@
         <message>
             <location filename="../../ui/views/loss_strip.py" />
             <source>Drag along the curve, or press arrows on it, to show an earlier iteration</source>
-            <translation type="unfinished" />
+            <translation>Glisser le long de la courbe, ou y presser les flèches, pour montrer une itération antérieure</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4757,37 +4757,37 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Progress of {task}</source>
-            <translation type="unfinished" />
+            <translation>Avancement : {task}</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Ends soon…</source>
-            <translation type="unfinished" />
+            <translation>Se termine…</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Checks, exports, reports and sweeps in the background</source>
-            <translation type="unfinished" />
+            <translation>Vérifications, exportations, rapports et séries en arrière-plan</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Progress of the tasks</source>
-            <translation type="unfinished" />
+            <translation>Avancement des tâches</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Tasks</source>
-            <translation type="unfinished" />
+            <translation>Tâches</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>No tasks. Checks, exports, reports and sweeps appear here.</source>
-            <translation type="unfinished" />
+            <translation>Aucune tâche. Vérifications, exportations, rapports et séries apparaissent ici.</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/shelf.py" />
             <source>Tasks ({count})</source>
-            <translation type="unfinished" />
+            <translation>Tâches ({count})</translation>
         </message>
         <message>
             <location filename="../../ui/window/docks.py" />
