@@ -9371,21 +9371,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/pictures/loss.py" />
-            <source>iteration</source>
-            <translation>Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
-            <source>time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
-            <source>loss</source>
-            <translation>Zielfunktion</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>dieser Lauf</translation>
         </message>
@@ -9393,6 +9378,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/pictures/loss.py" />
             <source>verified</source>
             <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>iteration</source>
+            <translation>Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>loss</source>
+            <translation>Zielfunktion</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/regions.py" />

@@ -9371,21 +9371,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/pictures/loss.py" />
-            <source>iteration</source>
-            <translation>itération</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
-            <source>time</source>
-            <translation>temps</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
-            <source>loss</source>
-            <translation>coût</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>cette exécution</translation>
         </message>
@@ -9393,6 +9378,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/pictures/loss.py" />
             <source>verified</source>
             <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>iteration</source>
+            <translation>itération</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/loss.py" />
+            <source>loss</source>
+            <translation>coût</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/regions.py" />

@@ -16,7 +16,7 @@ from workbench.pictures.axes import (
 )
 from workbench.pictures.error_curves import Curve, draw_sweep
 from workbench.pictures.images import IrradianceImage
-from workbench.pictures.loss import LossPicture
+from workbench.pictures.loss import LossCourse, Verified, draw_loss
 from workbench.pictures.section import SectionCurves, cut_through
 
 
@@ -25,26 +25,28 @@ def axes():
     return Figure().subplots()
 
 
-def test_against_seconds(axes):
-    picture = LossPicture(axes, "seconds")
-    times = np.array([0.25, 0.5, 3.0])
-    picture.update(np.array([3.0, 2.0, 1.5]), 100, stage_starts=(2,), times=times)
-    np.testing.assert_array_equal(picture.artists[0].get_xdata(), times)
-    assert axes.get_xlim() == (0, 5)
-    assert axes.get_xlabel() == "time (s)"
-    assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
-
-
 def test_the_loss_of_the_shown_lens_is_stated_and_marked(axes):
-    picture = LossPicture(axes)
     losses = np.array([4e-6, 2.51e-6])
-    picture.update(losses, 2)
-    assert picture._value.get_text() == "2.51 · 10⁻⁶"
-    picture.update(losses, 2, loss=3.28e-6)  # in light that the lens was not fitted to
-    assert picture._value.get_text() == "3.28 · 10⁻⁶"
-    np.testing.assert_array_equal(picture._end.get_xydata(), [(2, 3.28e-6)])
-    picture.update(losses[:0], 2, loss=3.28e-6)
-    assert picture._value.get_text() == "" and not picture._end.get_xdata().size
+    draw_loss(axes, losses, loss=3.28e-6)  # in light that the lens was not fitted to
+    assert [text.get_text() for text in axes.texts] == ["3.28 · 10⁻⁶"]
+    np.testing.assert_array_equal(axes.lines[-1].get_xydata(), [(2, 3.28e-6)])
+    assert axes.get_legend() is None
+    assert axes.get_ylim() == pytest.approx((2e-6, 5e-6))
+
+
+def test_stages_checks_and_other_runs_stand_beside_the_loss(axes):
+    other = LossCourse("Run 1", np.array([9e-6, 8e-6, 7e-6]))
+    draw_loss(axes, np.array([4e-6, 3e-6]), (1,), verified=[Verified(2, 1e-8)], others=[other])
+    names = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert names == ["this run", "Run 1", "verified"]
+    assert [line.get_xdata()[0] for line in axes.lines if line.get_linestyle() == ":"] == [1.5]
+    low, high = axes.get_ylim()
+    assert low < 1e-8 and high > 9e-6
+
+
+def test_a_lens_without_iterations_has_no_loss(axes):
+    draw_loss(axes, np.zeros(0), loss=3.28e-6)
+    assert not axes.texts and not any(line.get_xdata().size for line in axes.lines)
 
 
 def found(percent, beside=0.1):

@@ -40,7 +40,6 @@ class CheckedLens:
     session: "Session"
     heights: "ControlHeights"
     iterations: int = 0
-    seconds: float = 0.0
     irradiance: Array | None = None
     further: tuple[Array, ...] = ()
 
@@ -116,10 +115,6 @@ class Check(QObject):
             )
             work = partial(check, lens, self._rays, None, ACCURACY)
             self.background.begin(work, lens, tr("Check"))
-
-    @property
-    def busy(self) -> bool:
-        return self.background.busy
 
     def cancel(self) -> None:
         if self.background.busy:
@@ -220,19 +215,14 @@ class RunCheck(QObject):
 
     def _check(self, frame: "Frame") -> None:
         self._began = monotonic()
-        times = frame.result.times()
-        seconds = float(times[-1]) if times.size else 0.0
-        heights = frame.state.heights
-        lens = CheckedLens(frame.session, heights, iterations_before(frame), seconds)
+        lens = CheckedLens(frame.session, frame.state.heights, iterations_before(frame))
         self.background.begin(partial(check, lens, _FEW_RAYS, 1, _ROUGH), lens)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
         self._last, self._result = None, result
         if result is not None and frame is not None:
-            self._end = CheckedLens(
-                self._document.session, result.state.heights, result.iterations, result.seconds
-            )
+            self._end = CheckedLens(self._document.session, result.state.heights, result.iterations)
             work = partial(check, self._end, RAYS, None, ACCURACY)
             self.background.begin(work, self._end, tr("Check of the run"))
 
@@ -243,7 +233,7 @@ class RunCheck(QObject):
         if found.contradiction:
             self.failed.emit(tr(found.contradiction))
             return
-        verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
+        verified = Verified(lens.iterations, found.loss_corrected)
         history = self._control.history
         if lens is self._end and self._result is not None:
             self._document.verified.note(self._result, found)  # also while its run is undone

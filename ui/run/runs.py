@@ -128,9 +128,7 @@ class Runs(QObject):
         runs = [run for run in self.table.marked if run is not drawn]
         if runs != self._drawn:
             self._drawn = runs
-            self.compared.emit(
-                [LossCourse(called(run), run.result.losses, run.result.times()) for run in runs]
-            )
+            self.compared.emit([LossCourse(called(run), run.result.losses) for run in runs])
 
     def _rename(self, run: KeptRun, name: str) -> None:
         session = self._document.session

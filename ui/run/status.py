@@ -47,10 +47,6 @@ class RunStatus:
             bar.addPermanentWidget(part)
         self.settle()
 
-    @property
-    def text(self) -> str:
-        return self._state.text()
-
     def show_state(self, text: str) -> None:
         """Show a state, in place of any sentence."""
         self._text = text

@@ -16,7 +16,7 @@ from ui.widgets.controls import STRETCH, filled
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Column, shown_data
-from workbench.pictures.loss import CHECKED, OTHERS, THIS_RUN, LossCourse, LossPicture, Verified
+from workbench.pictures.loss import CHECKED, OTHERS, THIS_RUN, LossCourse, Verified, draw_loss
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -108,10 +108,8 @@ class Curve(QSlider):
             painter.drawPolyline(self._points(np.arange(1.0, other.losses.size + 1), other.losses))
             beside = place.adjusted(0, 12 * number, -_BUTTON, 0)
             painter.drawText(beside, Qt.AlignmentFlag.AlignRight, other.name)
-        curve, colour = (
-            self._points(np.arange(0.0, self.losses.size), self.losses),
-            QColor(THIS_RUN),
-        )
+        curve = self._points(np.arange(0.0, self.losses.size), self.losses)
+        colour = QColor(THIS_RUN)
         painter.setPen(QPen(colour, 1.8))
         painter.drawPolyline(curve)
         painter.setPen(Qt.PenStyle.NoPen)
@@ -120,8 +118,7 @@ class Curve(QSlider):
         ends = [QPointF(each.x(), place.bottom()) for each in (*curve[-1:], *curve[:1])]
         painter.drawPolygon([*curve, *ends])
         painter.setBrush(QColor(CHECKED))
-        checked = np.array([(v.iteration, v.loss) for v in self.verified]).reshape(-1, 2)
-        for point in self._points(*checked.T):
+        for point in self._points(*np.array(self.verified).reshape(-1, 2).T):
             painter.drawEllipse(point, _DOT, _DOT)
         self._draw_handle(painter)
         painter.end()
@@ -135,12 +132,10 @@ class Curve(QSlider):
             x = place.left() + place.width() * stage / self.length
             painter.drawLine(QPointF(x, place.top()), QPointF(x, place.bottom()))
         beside = QRectF(0, place.top() - 3, _LABELS - _EDGE, place.height() + 6)
-        ends = zip(
-            self._range, (Qt.AlignmentFlag.AlignBottom, Qt.AlignmentFlag.AlignTop), strict=True
-        )
-        for decade, end in ends:
-            label = written(10.0**decade, digits=2)
-            painter.drawText(beside, Qt.AlignmentFlag.AlignRight | end, label)
+        low, high = (written(10.0**decade, digits=2) for decade in self._range)
+        flags = Qt.AlignmentFlag
+        painter.drawText(beside, flags.AlignRight | flags.AlignBottom, low)
+        painter.drawText(beside, flags.AlignRight | flags.AlignTop, high)
 
     def _draw_handle(self, painter: QPainter) -> None:
         """Mark the shown iteration, or the latest one while none can be chosen."""
@@ -274,11 +269,10 @@ class LossStrip(View):
         from matplotlib.figure import Figure  # late: takes long to import
 
         figure, latest = Figure(layout="constrained"), self._latest
-        picture = LossPicture(figure.add_subplot())
-        picture.compare(self.curve.others)
         if latest is not None:
             losses, stages = latest.result.losses, latest.result.stage_starts
-            picture.update(losses, losses.size, stages, verified=self.curve.verified)
+            curve, axes = self.curve, figure.add_subplot()
+            draw_loss(axes, losses, stages, verified=curve.verified, others=curve.others)
         return figure
 
 

@@ -50,7 +50,6 @@ class Views(QObject):
     def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
         for view in (self.scene, *self.around.values()):
             view.follow(document, shown)
-        self.loss.frame_chosen.connect(shown.frame_changed)
         history.changed.connect(lambda: self.loss.show_frames(history.frames))
         history.changed.connect(lambda: self.loss.show_verified(history.checks))
 

@@ -99,6 +99,7 @@ class Messages(QWidget):
         super().__init__()
         self.notices: list[Notice] = []
         self._column = filled(QVBoxLayout(self), margins=0, spacing=_GAP)
+        self.setMaximumWidth(_WIDTH)
         self.hide()
 
     def sizeHint(self) -> QSize:

@@ -121,6 +121,7 @@ class LoadedParts(QObject):
         runner.state_changed.connect(self.state_changed)
         self.runs.check.failed.connect(early.log.add)
         self.runs.compared.connect(self.views.loss.show_runs)
+        self.views.loss.frame_chosen.connect(self._rewind)
         self.views.loss.continued.connect(
             lambda frame: early.begin(lambda: control.go_on_from(frame))
         )
@@ -205,6 +206,11 @@ class LoadedParts(QObject):
     def _edit(self, text: str, changes: dict[str, object]) -> None:
         path = next(iter(changes))
         self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
+
+    def _rewind(self, frame: "Frame") -> None:
+        self.shown.frame_changed.emit(frame)
+        if frame is self.control.history.frames[-1]:
+            self.control.preview()  # which tells why the run ended
 
     def _show_frame(self, frame: "Frame") -> None:
         self._early.status.show_frame(frame, self.control.busy)

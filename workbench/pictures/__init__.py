@@ -53,13 +53,12 @@ def write_loss(session: Session, file: BinaryIO) -> None:
     """Draw the loss of a designed lens over the iterations as PNG."""
     from matplotlib.figure import Figure
 
-    from workbench.pictures.loss import LossPicture
+    from workbench.pictures.loss import draw_loss
 
     result = result_of(session)
     losses, starts = result.losses, result.stage_starts
     figure = Figure(figsize=(7, 4), layout="constrained")
-    picture = LossPicture(figure.subplots())
-    picture.update(losses, losses.size, starts, loss=result.state.loss)
+    draw_loss(figure.subplots(), losses, starts, result.state.loss)
     figure.savefig(file, format="png", dpi=_DPI)
 
 

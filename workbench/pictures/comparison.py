@@ -85,7 +85,7 @@ class Comparison:
         draw_courses(
             fourth,
             [
-                LossCourse(title, run.result.losses, run.result.times())
+                LossCourse(title, run.result.losses)
                 for title, run in zip(self.titles, runs, strict=True)
             ],
         )

@@ -18,10 +18,9 @@ from matplotlib.transforms import Bbox, BboxBase
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
 from workbench.geometry.surface import nets_of
-from workbench.pictures import lens_image
+from workbench.pictures import lens_image, loss
 from workbench.pictures.error_curves import draw_errors
 from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
-from workbench.pictures.loss import LossPicture
 from workbench.pictures.manufacture import draw_manufacture
 from workbench.pictures.section import SectionCurves, cut_through
 from workbench.pictures.surface import ASPECTS, SurfaceImage
@@ -297,9 +296,7 @@ def draw_two_tracers(figure: "FigureBase", session: Session, ours: Array, mitsub
 
 def draw_loss(figure: "FigureBase", result: "Result") -> None:
     """Draw the loss over the iterations."""
-    picture = LossPicture(figure.subplots())
-    losses, starts = result.losses, result.stage_starts
-    picture.update(losses, losses.size, starts, loss=result.state.loss)
+    loss.draw_loss(figure.subplots(), result.losses, result.stage_starts, result.state.loss)
 
 
 def draw_tolerances(figure: "FigureBase", nominal: float, errors: Sequence[float]) -> None:

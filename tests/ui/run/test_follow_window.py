@@ -45,7 +45,7 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     assert result.iterations > 0
     assert set(texts) == {"Updating the lens", ""}
     assert texts[-1] == ""
-    assert window.status.text == result.ended[0].upper() + result.ended[1:]
+    assert window.status._state.text() == result.ended[0].upper() + result.ended[1:]
     assert [run.name for run in document.session.runs] == ["Followed 1: auto, 12 × 10"]
     window.commands["undo"].trigger()
     assert document.session is designed

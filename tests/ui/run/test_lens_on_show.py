@@ -54,7 +54,7 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
     saved = read_session(path)
     assert saved.result.iterations > 2
     assert running.loaded.control.busy and running.document.dirty
-    assert "with the best lens so far" in running.status.text
+    assert "with the best lens so far" in running.status._state.text()
     stop(running, qtbot)
     running.document.undo_stack.undo()  # the run
     assert running.document.dirty  # the file holds a lens

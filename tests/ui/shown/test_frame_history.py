@@ -9,7 +9,7 @@ from ui.document.frame import iterations_before
 from ui.document.shown_lens import FrameHistory
 from workbench.pictures.loss import Verified
 
-EARLY, LATE = Verified(1, 0.1, 0.5), Verified(3, 0.3, 0.25)
+EARLY, LATE = Verified(1, 0.5), Verified(3, 0.25)
 
 
 class Fake(SimpleNamespace):
