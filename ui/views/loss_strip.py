@@ -251,6 +251,8 @@ class LossStrip(View):
         if frame is not None and latest is not None and latest.result.losses.size:
             first = next((f.state.loss for f in self._frames if not iterations_before(f)), np.nan)
             curve.losses = np.concatenate([[first], latest.result.losses])
+            # The last look of a run states another loss than its last iteration.
+            curve.losses[iterations_before(frame)] = frame.state.loss
             curve.stages = latest.result.stage_starts
         count = max(curve.losses.size - 1, *(other.losses.size for other in curve.others), 1)
         curve.length = count
@@ -270,8 +272,8 @@ class LossStrip(View):
 
         figure, latest = Figure(layout="constrained"), self._latest
         if latest is not None:
-            losses, stages = latest.result.losses, latest.result.stage_starts
             curve, axes = self.curve, figure.add_subplot()
+            losses, stages = curve.losses[1:], latest.result.stage_starts
             draw_loss(axes, losses, stages, verified=curve.verified, others=curve.others)
         return figure
 

@@ -165,8 +165,8 @@ class Shelf(QWidget):
         width = min(_WIDTH, self.window().width())
         inner = width - 4  # margins and border
         column = self._column
-        high = column.heightForWidth(inner) if column.hasHeightForWidth() else 0
-        wanted = max(high, column.sizeHint().height()) + 4
+        hint = column.sizeHint().height()
+        wanted = 4 + (column.heightForWidth(inner) if column.hasHeightForWidth() else hint)
         height = min(wanted, _MOST_HEIGHT, self.window().height() // 2)
         corner = self.mapToGlobal(QPoint(self.width() - width, -height - 4))
         self.panel.setGeometry(corner.x(), corner.y(), width, height)
