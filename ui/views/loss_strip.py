@@ -252,7 +252,7 @@ class LossStrip(View):
             first = next((f.state.loss for f in self._frames if not iterations_before(f)), np.nan)
             curve.losses = np.concatenate([[first], latest.result.losses])
             # The last look of a run states another loss than its last iteration.
-            curve.losses[iterations_before(frame)] = frame.state.loss
+            curve.losses[iterations_before(frame) :][:1] = frame.state.loss
             curve.stages = latest.result.stage_starts
         count = max(curve.losses.size - 1, *(other.losses.size for other in curve.others), 1)
         curve.length = count
