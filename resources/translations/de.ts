@@ -2905,16 +2905,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Ball cutter…</source>
-            <translation>Kugelfräser …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Simulate the cut of the face and write G-code</source>
-            <translation>Schnitt der Fläche simulieren und G-Code schreiben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Verdict: {figure}</source>
             <translation>Urteil: {figure}</translation>
         </message>

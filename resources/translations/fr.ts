@@ -2905,16 +2905,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Ball cutter…</source>
-            <translation>Fraise hémisphérique…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Simulate the cut of the face and write G-code</source>
-            <translation>Simuler l'usinage de la face et écrire le G-code</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Verdict: {figure}</source>
             <translation>Verdict : {figure}</translation>
         </message>

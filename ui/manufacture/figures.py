@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, QSettings, Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.entries import RowEntries, edited_data
@@ -222,8 +222,6 @@ class ManufactureFigures(QWidget):
         self.note = WrappedLabel()
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
         grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
-        self.cut = QPushButton(tr("Ball cutter…"))
-        self.cut.setToolTip(tr("Simulate the cut of the face and write G-code"))
         fields.changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:

@@ -1,17 +1,19 @@
 """The dock Manufacture: computed only while it is visible and the design rests."""
 
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QSettings
+from PySide6.QtGui import QAction
 
 from ui.background import Background, Task
 from ui.document.frame import same_light
 from ui.manufacture.figures import LimitFields, ManufactureFigures
 from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
-from ui.widgets.controls import SideBySide
+from ui.widgets.controls import SideBySide, command_button
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
     Limits,
@@ -100,16 +102,13 @@ class _Found(NamedTuple):
 
 
 class ManufacturePane(ComputingView):
-    """Map, figures and limits of the shown lens."""
+    """Map, figures and limits of the shown lens, and buttons for commands that make the part."""
 
-    cut_asked = Signal()
-
-    def __init__(self, settings: QSettings) -> None:
+    def __init__(self, settings: QSettings, commands: Sequence[QAction]) -> None:
         super().__init__()
         self.map, self._fields = FaceMap(), LimitFields(settings, self)
         self._figures = figures = ManufactureFigures(self._fields)
-        self._box.addWidget(SideBySide(self.map, figures, (figures.cut,)))
-        figures.cut.clicked.connect(self.cut_asked)
+        self._box.addWidget(SideBySide(self.map, figures, [command_button(c) for c in commands]))
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
         self.background = Background(later("analysis of the face"), self)

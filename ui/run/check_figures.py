@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.run.checks import RAYS, CheckedLens
-from ui.widgets.controls import STRETCH, Table, filled
+from ui.widgets.controls import STRETCH, Table, command_button, filled
 from ui.widgets.labels import WrappedLabel, kept_together
 from ui.words import in_sentence, later, tr
 from workbench.messages import Message
@@ -154,8 +154,7 @@ class CheckFigures(QWidget):
         kept = self._rays.findData(settings.value(_KEY, RAYS, type=int))
         self._rays.setCurrentIndex(kept if kept >= 0 else _CHOICES.index(RAYS))
         self._rays.currentIndexChanged.connect(self._choose)
-        ask = QToolButton()
-        ask.setDefaultAction(check)
+        ask = command_button(check)
         self._copy = QToolButton()
         self._copy.setText(tr("Copy"))
         self._copy.setToolTip(tr("Copy all figures to the clipboard, tab-separated"))

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLayout,
     QMenu,
-    QPushButton,
     QScrollArea,
     QSizePolicy,
     QSplitter,
@@ -111,10 +110,19 @@ _WIDE = 1.3  # times as wide as high
 _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
 
 
+def command_button(command: QAction) -> QToolButton:
+    """Return a button for a command, with its name."""
+    button = QToolButton()
+    button.setDefaultAction(command)
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    return button
+
+
 class SideBySide(QWidget):
     """Gives the picture all space that the form does not need; the form scrolls."""
 
-    def __init__(self, picture: QWidget, other: QWidget, buttons: Sequence[QPushButton]) -> None:
+    def __init__(self, picture: QWidget, other: QWidget, buttons: Sequence[QWidget]) -> None:
         super().__init__()
         self._line = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._line.setContentsMargins(0, 0, 0, 0)

@@ -45,7 +45,8 @@ class LoadedParts(QObject):
         document, there, messages = early.document, early.panes, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
-        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
+        making = [early.commands[name] for name in ("export", "cut", "report")]
+        self.manufacture, self.tolerances = ManufacturePane(settings, making), TolerancePane()
         panes: dict[str, View] = {"manufacture": self.manufacture, "tolerances": self.tolerances}
         self.views = views = Views(self, panes)
         self.check = Check(self)
@@ -91,7 +92,6 @@ class LoadedParts(QObject):
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.message.connect(messages.note)
-        self.manufacture.cut_asked.connect(early.commands["cut"].trigger)
         self.tolerances.failed.connect(messages.warn)
         self.tolerances.save_asked.connect(partial(self.plots.choose_and_save_plot, "tolerances"))
 

@@ -4,7 +4,7 @@ import threading
 
 import pytest
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from tests.ui.hands import fill
 from ui.manufacture.cutter import AskCutting, CutFields, CutterDialog, keep_cutting
@@ -173,8 +173,9 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     window.panes.show("manufacture")
     pane = window.loaded.manufacture
     answer(CutterDialog._accept, fits)
-    button = next(b for b in pane.findChildren(QPushButton) if b.text() == "Ball cutter…")
-    button.click()
+    buttons = {b.defaultAction(): b for b in pane.findChildren(QToolButton)}
+    assert {window.commands["export"], window.commands["report"]} <= buttons.keys()
+    buttons[window.commands["cut"]].click()
     qtbot.waitUntil(lambda: not window.exporter.background.busy)
     assert "(ball cutter: radius 3.0000)" in written.read_text()
     assert str(written) in window.messages.text

@@ -24,7 +24,7 @@ def bowl(session, frames):
 
 @pytest.fixture
 def pane(settings, session, bowl, show, qtbot):
-    pane = ManufacturePane(settings)
+    pane = ManufacturePane(settings, [])
     qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_threads())
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
