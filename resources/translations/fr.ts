@@ -1036,7 +1036,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>As &amp;seen</source>
-            <translation>&amp;Comme vu</translation>
+            <translation>Comme &amp;vu</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
