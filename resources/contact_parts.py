@@ -1,4 +1,4 @@
-"""Pictures of the window's parts for the contact sheets: docks, forms, menus, dialogs, the tour."""
+"""Parts of the window for the contact sheets: docks, forms, menus, dialogs, start page."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -12,7 +12,7 @@ import resources
 from resources.make_screenshot import dialog_of, settle
 from ui.commands.panes import PANES
 from ui.commands.table import TOOLS
-from ui.dialogs.tour import STOPS, Bubble
+from ui.dialogs.coach import MARKS, CoachMarks
 from ui.files.recovery import About, LeftBehind, ask
 from ui.main_window import MainWindow
 from ui.widgets.controls import MenuButton
@@ -24,7 +24,7 @@ _MESSAGE = (
     "A message as long as some are: the design task and the lens of the run before are here "
     "again, and what was changed since can be brought back by Undo."
 )
-_OPEN = ("gallery", "palette", "shortcuts")  # commands whose dialogs let the window go on
+_OPEN = ("palette", "shortcuts")  # commands whose dialogs let the window go on
 _HOLD = ("about", "open", "save_as", "export", "report", "save_plot", "save_scene_2")
 
 
@@ -110,13 +110,18 @@ def dialogs(window: MainWindow) -> Iterator[QPixmap]:
 
 
 def tour(window: MainWindow) -> Iterator[QPixmap]:
-    """The window at each stop of the tour."""
+    """Each coach mark, and the start page from both its ends."""
     window.commands["tour"].trigger()
-    (bubble,) = window.findChildren(Bubble)
-    for _ in STOPS:
+    (marks,) = window.findChildren(CoachMarks)
+    for _ in MARKS:
         settle(_MOMENT)
-        yield bubble.grab()
-        bubble.on.click()
+        yield marks.grab()
+        marks.on.click()
+    for command in ("new", "examples"):
+        window.commands[command].trigger()
+        settle(_MOMENT)
+        yield window.grab()
+    window.commands["workspace_task"].trigger()
 
 
 def _maps(window: MainWindow, name: str) -> Iterator[QPixmap]:

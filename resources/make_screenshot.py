@@ -35,6 +35,7 @@ def open_window(example: str, size: QSize) -> MainWindow:
     path = resources.path("examples", f"{example}.json")
     settings = QSettings("none", "screenshot")
     settings.clear()
+    settings.setValue("coach_marks_shown", True)
     window = MainWindow(Document(open_design(path), example), settings)
     window.resize(size)
     window.show()
@@ -80,13 +81,16 @@ def make() -> None:
     """Design the flame in a window, and write ``readme/*.png`` on the way."""
     theme.choose(begin(), "dark")
     window = open_window("flame", _SIZE)
+    window.commands["new"].trigger()
+    settle()
 
     def take(name: str, picture: Callable[[], QPixmap] = window.grab) -> None:
         picture().save(str(resources.path("readme", f"{name}.png")))
 
+    take("start")
+    window.pages.show_desk()
     design(window)
     take("window")
-    take("gallery", lambda: dialog_of(window, "gallery"))
     for command in ("go_surface", "go_section", "go_history", "sculpt"):
         window.commands[command].trigger()
     settle()

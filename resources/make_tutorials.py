@@ -14,8 +14,6 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 import resources
 from resources.make_screenshot import begin, design, open_window, settle
-from ui.dialogs.estimate import Estimator
-from ui.dialogs.start_page import StartPage
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog
 from workbench.jobs import Job
@@ -43,16 +41,15 @@ def take(name: str, picture: QPixmap) -> None:
 def choose(window: MainWindow, kind: type[Job], picture: str) -> None:
     """Choose a job on the start page, see what can be expected of it, and begin it."""
     window.commands["new"].trigger()
-    (page,) = window.findChildren(StartPage)
-    (estimator,) = page.findChildren(Estimator)
+    page = window.start_page
     found: list[Prospect] = []
-    page.select(kind)
-    estimator.found.connect(found.append)
+    page.job.estimated.connect(found.append)
+    page.show_job(kind)
     until(lambda: any(each.picture is not None for each in found), "the estimate")
     settle(500)
     take(picture, page.grab())
-    page.begin()
-    until(lambda: not window.findChildren(StartPage), "the window")
+    page.job.begin()
+    until(lambda: not window.pages.at_start, "the window")
 
 
 def show(window: MainWindow, *commands: str) -> None:

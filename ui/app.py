@@ -19,7 +19,6 @@ from workbench.process import calm_library_threads, restart_in_utf8_mode
 from workbench.system_libraries import keep_shaders_in_memory
 
 if TYPE_CHECKING:
-    from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
@@ -63,8 +62,8 @@ def main(arguments: list[str] | None = None) -> int:
     unexpected.qt_warned.connect(windows.log)
     unexpected.logged.connect(windows.log_details)
     signals = _leave_on_signals(windows, application)
-    window = windows.open()
-    _begin_when_painted(window, lambda: _begin(windows, window, settings, options))
+    window = windows.open(at_start=options.file is None and not options.start)
+    _begin_when_painted(window, lambda: _begin(windows, window, options))
     status = application.exec()
     windows.wait()
     unexpected.close()
@@ -128,18 +127,12 @@ def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None
     )
 
 
-def _begin(
-    windows: "Windows", window: "MainWindow", settings: "QSettings", options: argparse.Namespace
-) -> None:
+def _begin(windows: "Windows", window: "MainWindow", options: argparse.Namespace) -> None:
     windows.warm_up()
     recovered = windows.recover(window)
     opened: MainWindow | None = None if recovered else window
     if options.file is not None:
         opened = windows.open_given(options.file, window, recovered)
-    if not window.messages.isVisible():
-        window.help.offer_tour(settings)
-    if options.file is None and not (recovered or options.start):
-        window.start_page.show()
     if options.start and opened is not None and opened.loaded is None:
         opened.built.connect(opened.start)
     elif options.start and opened is not None:  # all was loaded while a question stood

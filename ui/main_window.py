@@ -6,16 +6,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSettings, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QPaintEvent
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDragLeaveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QPaintEvent,
+)
 from PySide6.QtWidgets import QMainWindow
 
-from resources import EXAMPLES, Example
+from resources import Example
 from ui.commands.actions import LANGUAGE, THEME, choose_theme, note_language
 from ui.commands.panes import PaneFocus
-from ui.commands.table import NEW, WORKSPACE_CHOICES
-from ui.dialogs.gallery import Gallery
+from ui.commands.table import WORKSPACE_CHOICES
 from ui.dialogs.help import TITLE, Help
-from ui.dialogs.start_page import Start
+from ui.dialogs.start_page import StartPage
 from ui.document.document import Document
 from ui.files.actions import Answer, FileActions, RecentFiles
 from ui.files.dialogs import ChosenFiles
@@ -24,6 +30,7 @@ from ui.manufacture.cutter import AskCutting
 from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
+from ui.window.pages import Pages
 from ui.window.window_state import WindowState
 from ui.window.workspaces import ViewState, Workspaces
 from ui.words import tr
@@ -50,7 +57,8 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.document = document
         document.setParent(self)  # so that it goes after all that listens to it
-        self.early = early = EarlyParts(self, document, settings)
+        self.pages = pages = Pages(self)
+        self.early = early = EarlyParts(self, pages.desk, document, settings)
         self.commands, self.messages, self.log = early.commands, early.messages, early.log
         self.forms, self.panes, self.status = early.forms, early.panes, early.status
         self.forms.remember(settings)
@@ -79,10 +87,11 @@ class MainWindow(QMainWindow):
         self.reporter = Reporter(document, lens, messages, dialogs, self)
         early.shelf.follow(self.exporter.background, self.reporter.background)
         self.sweep: SweepDialog | None = None  # once it was asked for
-        self.start_page = Start(self.files, self._show_gallery, dialogs, self)
+        self.start_page = StartPage(self.files, recent, self._new, dialogs, settings)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
-        self.help = Help(self, self.commands, self._focus, self.messages)
-        self.workspaces = Workspaces(self, self.panes, settings)
+        self.help = Help(self, self.commands, self._focus)
+        self.workspaces = Workspaces(pages.desk, self.panes, settings)
+        pages.put(self.start_page, self.workspaces, self.commands)
         self._view_state = ViewState(self.commands, self.workspaces, self.log.add)
         self.loaded: LoadedParts | None = None
         self._leaving = False  # whatever would be lost
@@ -107,8 +116,8 @@ class MainWindow(QMainWindow):
         loaded.state_changed.connect(self._watch_run)
         loaded.check.checked.connect(lambda: self.workspaces.reveal("check", "check"))
         loaded.control.ended.connect(self._end_run)
-        self.start_page.open_changed.connect(loaded.follow.hold)
-        loaded.follow.hold(self.start_page.page is not None)
+        self.pages.start_shown.connect(loaded.follow.hold)
+        loaded.follow.hold(self.pages.at_start)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._show_following)
@@ -134,7 +143,7 @@ class MainWindow(QMainWindow):
         if not self._leaving and not self._may_close():
             event.ignore()
             return
-        self.start_page.close()
+        self.start_page.job.close_thread()
         self.workspaces.keep()
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
         for dock in self.panes.docks.values():
@@ -154,10 +163,15 @@ class MainWindow(QMainWindow):
         urls = event.mimeData().urls()
         if len(urls) == 1 and urls[0].isLocalFile():
             event.acceptProposedAction()
+            self.start_page.await_drop(True)
+
+    def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
+        self.start_page.await_drop(False)
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Open a design or scene; use a light file as source, any other file as target."""
         event.acceptProposedAction()
+        self.start_page.await_drop(False)
         path = Path(event.mimeData().urls()[0].toLocalFile())
         if not self._chosen.take(path):
             self._open(path)
@@ -246,9 +260,9 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self.commands.connect(
             {
-                **{name: partial(self._new, example) for name, example in NEW.items()},
-                "new": self.start_page.show,
-                "gallery": self._show_gallery,
+                "new": self.pages.show_start,
+                "workspace_start": self.pages.show_start,
+                "examples": partial(self.pages.show_start, at_examples=True),
                 "open": self.files.choose_and_open,
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
@@ -267,7 +281,7 @@ class MainWindow(QMainWindow):
                 "revert": self.files.revert,
                 "reset_layout": self.workspaces.reset,
                 **{
-                    command: partial(self.workspaces.choose, name)
+                    command: partial(self.pages.show_desk, name)
                     for command, name in WORKSPACE_CHOICES.items()
                 },
                 **self._focus.slots(),
@@ -280,8 +294,10 @@ class MainWindow(QMainWindow):
         scene = self.panes.docks["scene"]
         scene.toggleViewAction().toggled.connect(self.commands["scene_view"].setChecked)
         self.commands.connect_toggles({"scene_view": scene.setVisible})
-        self.workspaces.changed.connect(self._show_workspace)
-        self._show_workspace(self.workspaces.name)
+        self.start_page.begun.connect(partial(self.help.show_marks_once, self._settings))
+        self.messages.message.connect(self.start_page.show_message)
+        self._chosen.use_picture, self._chosen.use_light = self._use_picture, self._use_light
+        self.pages.start_shown.connect(lambda shown: setattr(self._chosen, "ask", not shown))
         self.workspaces.follow(self.document.session)
         self.document.session_changed.connect(self.workspaces.follow)
         self.document.session_changed.connect(self._show_state)
@@ -301,10 +317,14 @@ class MainWindow(QMainWindow):
         if not self.forms.revert_latest():
             self.document.undo_stack.undo()
 
-    def _show_gallery(self) -> None:
-        gallery = Gallery(EXAMPLES, self)
-        gallery.chosen.connect(self._new)
-        gallery.open()
+    def _use_picture(self, path: Path) -> None:
+        take = self.start_page.use_picture if self.pages.at_start else self.forms.choose_image
+        take(path)
+
+    def _use_light(self, path: Path) -> None:
+        if self.pages.at_start:
+            self.pages.show_desk("task")
+        self.forms.choose_light(path)
 
     def _new(self, example: Example) -> None:
         if self.files.new(example) and example.dock:
@@ -348,17 +368,14 @@ class MainWindow(QMainWindow):
 
     def _show_opened(self) -> None:
         session = self.document.session
-        if session.heights is not None and self.workspaces.name == "task":
-            self.workspaces.choose("design")
+        if self.pages.at_start or (session.heights is not None and self.workspaces.name == "task"):
+            self.pages.show_desk("task" if session.heights is None else "design")
         self._view_state.restore(session.view)
-
-    def _show_workspace(self, name: str) -> None:
-        self.commands[f"workspace_{name}"].setChecked(True)
 
     def _watch_run(self) -> None:
         running = self.loaded is not None and self.loaded.state == "running"
-        if running and self.workspaces.name == "task":
-            self.workspaces.choose("design")
+        if running and (self.pages.at_start or self.workspaces.name == "task"):
+            self.pages.show_desk("design")
 
     # Slots of the window itself: nothing calls them any more while its parts are taken down.
     def _show_state(self) -> None:

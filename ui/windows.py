@@ -72,7 +72,8 @@ class Windows(QObject):
         self.loaded.connect(self._build_all)
         self._quitting = self._leaving = False
 
-    def open(self) -> MainWindow:
+    def open(self, *, at_start: bool = True) -> MainWindow:
+        """Show a window, at its start page or with the first example."""
         example = EXAMPLES[0].file
         window = MainWindow(Document(open_design(example), example.stem), self._settings)
         recovery = Recovery(window.document, self._folder, window)
@@ -87,6 +88,8 @@ class Windows(QObject):
         once = Qt.ConnectionType.SingleShotConnection
         window.painted.connect(lambda: QTimer.singleShot(0, window, self._build_if_warm), once)
         self._recoveries[window] = recovery
+        if at_start:
+            window.pages.show_start()
         window.show()
         return window
 

@@ -10,56 +10,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>&amp;New from example</source>
-            <translation>Neu aus Beis&amp;piel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>First lenses, twice as fine</source>
-            <translation>Erste Linsen, doppelt so fein</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Top hat: networks and starts</source>
-            <translation>Zylinder: Netzwerke und Startwerte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Real lights</source>
-            <translation>Wirkliche Lichtquellen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Flame and ball: magnifications</source>
-            <translation>Flamme und Ball: Vergrößerungen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Flame: point and extended source</source>
-            <translation>Flamme: punktförmige und ausgedehnte Quelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Walls and streets</source>
-            <translation>Wände und Straßen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Two freeform faces</source>
-            <translation>Zwei Freiformflächen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Several elements</source>
-            <translation>Mehrere Elemente</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Derivative maps of a flat lens</source>
-            <translation>Ableitungskarten einer ebenen Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>Open &amp;recent</source>
             <translation>Zuletzt &amp;geöffnet</translation>
         </message>
@@ -130,468 +80,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Top hat</source>
-            <translation>Zylinder (Top Hat)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A uniform disc of light; see how soon its edge is sharp.</source>
-            <translation>Eine gleichmäßige Lichtscheibe; zu sehen ist, wie bald ihr Rand scharf wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame</source>
-            <translation>Flamme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A flame-like logo on black; see light leave what shall be dark.</source>
-            <translation>Ein flammenähnliches Logo auf Schwarz; zu sehen ist, wie das Licht verlässt, was dunkel sein soll.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball</source>
-            <translation>Ball</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
-            <translation>Ein Ball aus Facetten; zu sehen ist, ob jedes Grau gleichmäßig hell wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph</source>
-            <translation>Fotografie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Every grey from black to white; see texture and shadow come.</source>
-            <translation>Alle Grautöne von Schwarz bis Weiß; zu sehen ist, wie Struktur und Schatten entstehen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Letter</source>
-            <translation>Buchstabe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A bold letter on black; see its straight edges and corners.</source>
-            <translation>Ein fetter Buchstabe auf Schwarz; zu beachten sind seine geraden Kanten und Ecken.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, 512 × 512</source>
-            <translation>Flamme, 512 × 512</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The flame with four times the detail; see its thin parts.</source>
-            <translation>Die Flamme mit viermal so vielen Einzelheiten; zu beachten sind ihre dünnen Teile.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, 512 × 512</source>
-            <translation>Ball, 512 × 512</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The ball with four times the detail; see the facets' edges.</source>
-            <translation>Der Ball mit viermal so vielen Einzelheiten; zu beachten sind die Kanten der Facetten.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>No network, flat start</source>
-            <translation>Kein Netzwerk, ebener Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
-            <translation>Der Maßstab für die drei Netzwerke: eine glatte Linse mit der Symmetrie des Ziels.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sparse network, faint start</source>
-            <translation>Dünn besetztes Netzwerk, schwacher Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
-            <translation>Gewichte um ein Zehntausendstel neben null; Tempo und Symmetrie mit „kein Netzwerk“ vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sparse network, random start</source>
-            <translation>Dünn besetztes Netzwerk, zufälliger Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
-            <translation>Eine raue Ausgangslinse; zu sehen ist, wie viel Rauheit am Ende bleibt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Dense network, faint start</source>
-            <translation>Vollbesetztes Netzwerk, schwacher Start</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
-            <translation>Zwei Millionen Gewichte für tausend Höhen; Zielfunktion und Zeit mit dem dünn besetzten vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sun plate</source>
-            <translation>Sonnenplatte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
-            <translation>Acrylglas für die Sonne, deren Scheibe um 4.7 mm unscharf macht: Fehler und Schranke vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Phone torch</source>
-            <translation>Handy-Taschenlampe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
-            <translation>Die LED eines Telefons, nahe der Linse, macht die Kanten unscharf.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED to a rectangle</source>
-            <translation>LED auf ein Rechteck</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
-            <translation>Licht so weit, wie es sich ablenken lässt; zu beachten: die Totalreflexion und wie gleichmäßig der Rest ist.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Beam shaper</source>
-            <translation>Strahlformer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
-            <translation>Ein Gaußscher Laserstrahl wird zur gleichmäßigen Scheibe; kaum Licht geht verloren.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Measured LED</source>
-            <translation>Gemessene LED</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
-            <translation>Eine Datei mit 9 000 Strahlen beleuchtet die Linse; ihr Korn zeigt sich in der Prüfung.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>White light</source>
-            <translation>Weißes Licht</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
-            <translation>Polycarbonat lenkt blaues Licht stärker ab als rotes; siehe farbige Ränder im vorhergesagten Foto.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 1</source>
-            <translation>Flamme, Vergrößerung 1</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
-            <translation>Ein Schirm so groß wie die Linse, weit entfernt: wenige Hundertstel Höhe genügen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 3</source>
-            <translation>Flamme, Vergrößerung 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
-            <translation>Die konkave Grundform füllt den Schirm gerade; die Ecken beachten, wo Strahlen steil sind.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 5</source>
-            <translation>Flamme, Vergrößerung 5</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
-            <translation>Noch steiler: Zielfunktion und Licht neben dem Schirm mit 1 und 3 vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 1</source>
-            <translation>Ball, Vergrößerung 1</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 3</source>
-            <translation>Ball, Vergrößerung 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 5</source>
-            <translation>Ball, Vergrößerung 5</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Point source</source>
-            <translation>Punktquelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
-            <translation>Licht von einem Punkt; die Lichtbilanz zeigt, wie viel vom Kegel die quadratische Linse verfehlt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Extended source of 25 × 25 points</source>
-            <translation>Ausgedehnte Quelle aus 25 × 25 Punkten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
-            <translation>Die Flamme setzt sich aus Bildern der quadratischen Quelle zusammen: kleinere Einzelheiten bleiben unscharf.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Point source, then the extended one</source>
-            <translation>Punktquelle, dann die ausgedehnte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
-            <translation>Die Zielfunktion springt, wenn bei Iteration 200 die ausgedehnte Quelle übernimmt; zu sehen ist, was zurückgewonnen wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wall washer</source>
-            <translation>Wandfluter</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
-            <translation>Ein Bild auf einer Wand, die sich von der Lampe wegneigt; es erscheint gerade.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Street light</source>
-            <translation>Straßenleuchte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
-            <translation>Die IES-Datei einer LED; die Strahlstärke steigt zu beiden Enden, damit die Straße gleichmäßig hell wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror: letter on a wall</source>
-            <translation>Spiegel: Buchstabe auf einer Wand</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
-            <translation>Sonnenlicht von unten, auf eine Wand daneben geworfen; der Spiegel neigt sich zu ihr.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror: photograph beside the lamp</source>
-            <translation>Spiegel: Fotografie neben der Lampe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
-            <translation>Licht von einem Punkt, auf einen Schirm daneben gezeichnet; zu beachten, was den Spiegel verfehlt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph from a thin plate</source>
-            <translation>Fotografie mit einer dünnen Platte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
-            <translation>Beide Flächen lenken das Licht ab; ihre Neigungen mit denen einer Fläche vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide angle: disc from a near point</source>
-            <translation>Weitwinkel: Scheibe aus einem nahen Punkt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
-            <translation>Licht kommt mit bis zu 60° an; kaum etwas davon verlässt das Glas durch die Seite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED close by: square through a dome</source>
-            <translation>Nahe LED: Quadrat durch eine Kuppel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
-            <translation>Die Eintrittsfläche wölbt sich zur LED; mit einer ebenen vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph at two distances</source>
-            <translation>Fotografie in zwei Abständen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
-            <translation>Dickes Glas verschiebt das Licht, die Austrittsfläche richtet es parallel; beide Bilder vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED with dome, freeform lens and cover plate</source>
-            <translation>LED mit Dom, Freiformlinse und Deckplatte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
-            <translation>Die Linse wird mit dem Dom davor und der Platte dahinter entworfen; siehe die Strahlen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Collimated LED and freeform plate</source>
-            <translation>Kollimierte LED und Freiformplatte</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
-            <translation>Eine Kaufteillinse kollimiert das Licht, eine dünne Platte formt den Buchstaben; siehe seine weichen Kanten.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide photograph by one lens</source>
-            <translation>Breites Foto mit einer Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
-            <translation>Eine Fläche lenkt das Licht um bis zu 47° ab; die Lichtbilanz zeigt, was reflektiert wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide photograph by two lenses</source>
-            <translation>Breites Foto mit zwei Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
-            <translation>Jede Linse lenkt das Licht etwa zur Hälfte ab; Fehler und Lichtbilanz mit einer Linse vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Diffuser before the screen</source>
-            <translation>Diffusor vor dem Schirm</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
-            <translation>Eine Folie 4 mm vor dem Schirm macht den Buchstaben unscharf; siehe, wie die Linse vorschärft.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Diffuser behind the lens</source>
-            <translation>Diffusor hinter der Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
-            <translation>Eine um 0.3° streuende Folie verwischt am Schirm über 1 mm; mit dem Foto vergleichen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Fold mirror</source>
-            <translation>Umlenkspiegel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
-            <translation>Ein Planspiegel lenkt das Licht vor der Freiformlinse um 90° um; siehe die gefaltete Achse.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror and lens</source>
-            <translation>Spiegel und Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
-            <translation>Der Spiegel ist für das Licht hinter einer Kaufteillinse entworfen; siehe, wo die Strahlen sie durchlaufen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Tilted lens</source>
-            <translation>Verkippte Linse</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
-            <translation>Die Linse ist verkippt und verschoben und wird in dieser Lage entworfen; das Bild bleibt gerade.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (3, 3), filter 3 × 3</source>
-            <translation>Grade (3, 3), Filter 3 × 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
-            <translation>Steigt ein Kontrollpunkt, sammelt er Licht: ein Berg in einem Tal, Summe null.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (3, 3), filter 11 × 11</source>
-            <translation>Grade (3, 3), Filter 11 × 11</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
-            <translation>Derselbe Berg, glatter: das Licht jedes Strahls verteilt sich auf 11 × 11 Pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (5, 3), filter 3 × 3</source>
-            <translation>Grade (5, 3), Filter 3 × 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
-            <translation>Breiter entlang x: das Tal erreicht den Rand des Schirms, und die Summe ist nicht mehr null.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>&amp;New…</source>
             <translation>&amp;Neu …</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Begin a design: choose a job and enter its data</source>
-            <translation>Entwurf beginnen: Aufgabe wählen und Angaben eintragen</translation>
+            <source>Begin a design on the start page</source>
+            <translation>Einen Entwurf auf der Startseite beginnen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>New from &amp;gallery…</source>
-            <translation>Neu aus G&amp;alerie …</translation>
+            <source>New from exa&amp;mple…</source>
+            <translation>Neu &amp;aus Beispiel …</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Choose an example by the picture of its target</source>
-            <translation>Beispiel nach dem Bild seines Ziels wählen</translation>
+            <source>Choose an example on the start page</source>
+            <translation>Ein Beispiel auf der Startseite wählen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1425,6 +930,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Start page</source>
+            <translation>Startseite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Begin a design: a picture, a job, a recent file or an example</source>
+            <translation>Einen Entwurf beginnen: Bild, Aufgabe, letzte Datei oder Beispiel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Custom</source>
             <translation>Eigene</translation>
         </message>
@@ -1580,8 +1095,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>A short tour of the window</source>
-            <translation>Ein kurzer Rundgang durch das Fenster</translation>
+            <source>Four marks that explain the window</source>
+            <translation>Vier Hinweise, die das Fenster erklären</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1634,6 +1149,66 @@
             <translation>Kein Befehl gefunden: {words}</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Describe the task</source>
+            <translation>Die Aufgabe beschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Picture, light, lens and screen. Drag a label to change its value; Ctrl+Z undoes.</source>
+            <translation>Bild, Licht, Linse und Schirm. Ziehen an einer Beschriftung ändert ihren Wert; Strg+Z macht rückgängig.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Start the design</source>
+            <translation>Den Entwurf starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Start (F5) designs the lens. Stop (F7) ends the run with the best lens so far.</source>
+            <translation>Start (F5) entwirft die Linse. Stopp (F7) beendet den Lauf mit der bisher besten Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Image of light</source>
+            <translation>Bild des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>The light on the screen, updated during the run. The buttons above show target, difference and photo.</source>
+            <translation>Das Licht auf dem Schirm, aktualisiert während des Laufs. Die Knöpfe darüber zeigen Ziel, Differenz und Foto.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>From task to part</source>
+            <translation>Von der Aufgabe zum Teil</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Task, Design, Check, Make: verify the image, then export the lens for making.</source>
+            <translation>Aufgabe, Entwurf, Prüfung, Fertigung: das Bild prüfen, dann die Linse zur Fertigung exportieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fertig</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Seitenansicht der Aufgabe</translation>
@@ -1657,11 +1232,6 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, maßstäblich</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/estimate.py" />
-            <source>estimate</source>
-            <translation>Schätzung</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/estimate.py" />
@@ -1692,16 +1262,6 @@
             <location filename="../../ui/dialogs/estimate.py" />
             <source>Estimating… {part:.0f} %</source>
             <translation>Schätzung läuft … {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/gallery.py" />
-            <source>New from example</source>
-            <translation>Neu aus Beispiel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/gallery.py" />
-            <source>Examples</source>
-            <translation>Beispiele</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
@@ -1735,16 +1295,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>New here? A tour of {count} steps explains the window. Help &gt; Tour starts it at any time.</source>
-            <translation>Neu hier? Ein Rundgang in {count} Schritten erklärt das Fenster. Hilfe &gt; Rundgang startet ihn jederzeit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/help.py" />
-            <source>Start tour</source>
-            <translation>Rundgang starten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/help.py" />
             <source>About {title}</source>
             <translation>Über {title}</translation>
         </message>
@@ -1764,9 +1314,34 @@
             <translation>Lichtdatei</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/start_page.py" />
-            <source>New design</source>
-            <translation>Neuer Entwurf</translation>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>estimate</source>
+            <translation>Schätzung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>B&amp;ack</source>
+            <translation>&amp;Zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Beginnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Beginn nicht möglich: {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>Picture</source>
+            <translation>Motiv</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>File of light</source>
+            <translation>Lichtdatei</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
@@ -1775,33 +1350,38 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>&amp;Begin</source>
-            <translation>&amp;Beginnen</translation>
+            <source>Examples</source>
+            <translation>Beispiele</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>&amp;Open a file…</source>
-            <translation>Datei &amp;öffnen …</translation>
+            <source>Recent files</source>
+            <translation>Letzte Dateien</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>E&amp;xamples…</source>
-            <translation>B&amp;eispiele …</translation>
+            <source>Begin with a job</source>
+            <translation>Mit einer Aufgabe beginnen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>Cannot begin: {reason}</source>
-            <translation>Beginn nicht möglich: {reason}</translation>
+            <source>Drop a picture here</source>
+            <translation>Ein Bild hier ablegen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>Picture</source>
-            <translation>Motiv</translation>
+            <source>The lens will draw it with light. Ctrl+V pastes one.</source>
+            <translation>Die Linse formt es aus Licht. Strg+V fügt ein Bild ein.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>File of light</source>
-            <translation>Lichtdatei</translation>
+            <source>Choose &amp;picture…</source>
+            <translation>Bild &amp;wählen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Open design…</source>
+            <translation>Entwurf &amp;öffnen …</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -1927,96 +1507,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error over the values</source>
             <translation>Geprüfter Fehler über den Werten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Describe the task</source>
-            <translation>Die Aufgabe beschreiben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Enter target image, lens, source and screen here. An impossible value is refused beside its field, with the allowed range. Drop a picture onto the window to use it as the target.</source>
-            <translation>Hier werden Zielbild, Linse, Quelle und Schirm eingetragen. Ein unmöglicher Wert wird neben seinem Feld abgelehnt, mit dem erlaubten Bereich. Ein Bild, das auf das Fenster gezogen wird, wird das Ziel.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it with the best lens so far, Continue resumes from that lens.</source>
-            <translation>Start (F5) entwirft die Linse. Pause (F6) unterbricht den Lauf, Stopp (F7) beendet ihn mit der bisher besten Linse, Fortsetzen geht von dieser Linse aus.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+Alt+1 fits the lens, Ctrl+Alt+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
-            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Ziehen mit Umschalt verschiebt, das Mausrad zoomt; ebenso Pfeiltasten, + und −. Strg+Alt+1 zeigt die Linse, Strg+Alt+2 den Schirm, Strg+0 alles; Strg+D staucht Abstände.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Image of light</source>
-            <translation>Bild des Lichts</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Flux per area, updated during the run. The buttons above show the target, the difference (red is too much light, blue too little), a photo and the face; Compare shows two of them with a handle between.</source>
-            <translation>Lichtstrom je Fläche, während des Laufs auf dem neuesten Stand. Die Knöpfe darüber zeigen das Ziel, die Differenz (rot ist zu viel Licht, blau zu wenig), ein Foto und die Fläche; Vergleichen zeigt zwei davon mit einem Griff dazwischen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Course of the run</source>
-            <translation>Verlauf des Laufs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
-            <translation>Der Verlust fällt, während die Linse besser wird. Ziehen Sie entlang der Kurve, um eine frühere Iteration zu zeigen; von jeder lässt sich fortsetzen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Undo and recovery</source>
-            <translation>Rückgängig und Wiederherstellung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step. Unsaved work is backed up every minute.</source>
-            <translation>Jede Änderung und jeder Lauf ist ein Schritt. Rückgängig mit Strg+Z oder durch Klick auf einen Schritt. Ungesicherte Arbeit wird jede Minute zwischengespeichert.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Commands</source>
-            <translation>Befehle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Ctrl+Shift+P finds a command by parts of its name. File &gt; New from gallery shows the examples, File &gt; Export writes the lens for other programs.</source>
-            <translation>Strg+Umschalt+P findet einen Befehl nach Teilen seines Namens. Datei &gt; Neu aus Galerie zeigt die Beispiele, Datei &gt; Exportieren schreibt die Linse für andere Programme.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;End</source>
-            <translation>&amp;Beenden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Back</source>
-            <translation>&amp;Zurück</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>End the tour (Esc); Help &gt; Tour starts it again</source>
-            <translation>Rundgang beenden (Esc); Hilfe &gt; Rundgang startet ihn neu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>{number} of {count}</source>
-            <translation>{number} von {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Done</source>
-            <translation>&amp;Fertig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Next</source>
-            <translation>&amp;Weiter</translation>
         </message>
         <message>
             <location filename="../../ui/document/document.py" />
@@ -5093,6 +4583,496 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../resources/__init__.py" />
             <source>First lenses</source>
             <translation>Erste Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Top hat</source>
+            <translation>Zylinder (Top Hat)</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A uniform disc of light; see how soon its edge is sharp.</source>
+            <translation>Eine gleichmäßige Lichtscheibe; zu sehen ist, wie bald ihr Rand scharf wird.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A flame-like logo on black; see light leave what shall be dark.</source>
+            <translation>Ein flammenähnliches Logo auf Schwarz; zu sehen ist, wie das Licht verlässt, was dunkel sein soll.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball</source>
+            <translation>Ball</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
+            <translation>Ein Ball aus Facetten; zu sehen ist, ob jedes Grau gleichmäßig hell wird.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph</source>
+            <translation>Fotografie</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Every grey from black to white; see texture and shadow come.</source>
+            <translation>Alle Grautöne von Schwarz bis Weiß; zu sehen ist, wie Struktur und Schatten entstehen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Letter</source>
+            <translation>Buchstabe</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A bold letter on black; see its straight edges and corners.</source>
+            <translation>Ein fetter Buchstabe auf Schwarz; zu beachten sind seine geraden Kanten und Ecken.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>First lenses, twice as fine</source>
+            <translation>Erste Linsen, doppelt so fein</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, 512 × 512</source>
+            <translation>Flamme, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The flame with four times the detail; see its thin parts.</source>
+            <translation>Die Flamme mit viermal so vielen Einzelheiten; zu beachten sind ihre dünnen Teile.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, 512 × 512</source>
+            <translation>Ball, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The ball with four times the detail; see the facets' edges.</source>
+            <translation>Der Ball mit viermal so vielen Einzelheiten; zu beachten sind die Kanten der Facetten.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Top hat: networks and starts</source>
+            <translation>Zylinder: Netzwerke und Startwerte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>No network, flat start</source>
+            <translation>Kein Netzwerk, ebener Start</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
+            <translation>Der Maßstab für die drei Netzwerke: eine glatte Linse mit der Symmetrie des Ziels.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sparse network, faint start</source>
+            <translation>Dünn besetztes Netzwerk, schwacher Start</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
+            <translation>Gewichte um ein Zehntausendstel neben null; Tempo und Symmetrie mit „kein Netzwerk“ vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sparse network, random start</source>
+            <translation>Dünn besetztes Netzwerk, zufälliger Start</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
+            <translation>Eine raue Ausgangslinse; zu sehen ist, wie viel Rauheit am Ende bleibt.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Dense network, faint start</source>
+            <translation>Vollbesetztes Netzwerk, schwacher Start</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
+            <translation>Zwei Millionen Gewichte für tausend Höhen; Zielfunktion und Zeit mit dem dünn besetzten vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Real lights</source>
+            <translation>Wirkliche Lichtquellen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sun plate</source>
+            <translation>Sonnenplatte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
+            <translation>Acrylglas für die Sonne, deren Scheibe um 4.7 mm unscharf macht: Fehler und Schranke vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Phone torch</source>
+            <translation>Handy-Taschenlampe</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
+            <translation>Die LED eines Telefons, nahe der Linse, macht die Kanten unscharf.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED to a rectangle</source>
+            <translation>LED auf ein Rechteck</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
+            <translation>Licht so weit, wie es sich ablenken lässt; zu beachten: die Totalreflexion und wie gleichmäßig der Rest ist.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Beam shaper</source>
+            <translation>Strahlformer</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
+            <translation>Ein Gaußscher Laserstrahl wird zur gleichmäßigen Scheibe; kaum Licht geht verloren.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Measured LED</source>
+            <translation>Gemessene LED</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
+            <translation>Eine Datei mit 9 000 Strahlen beleuchtet die Linse; ihr Korn zeigt sich in der Prüfung.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>White light</source>
+            <translation>Weißes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
+            <translation>Polycarbonat lenkt blaues Licht stärker ab als rotes; siehe farbige Ränder im vorhergesagten Foto.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame and ball: magnifications</source>
+            <translation>Flamme und Ball: Vergrößerungen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 1</source>
+            <translation>Flamme, Vergrößerung 1</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
+            <translation>Ein Schirm so groß wie die Linse, weit entfernt: wenige Hundertstel Höhe genügen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 3</source>
+            <translation>Flamme, Vergrößerung 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
+            <translation>Die konkave Grundform füllt den Schirm gerade; die Ecken beachten, wo Strahlen steil sind.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 5</source>
+            <translation>Flamme, Vergrößerung 5</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
+            <translation>Noch steiler: Zielfunktion und Licht neben dem Schirm mit 1 und 3 vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 1</source>
+            <translation>Ball, Vergrößerung 1</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 3</source>
+            <translation>Ball, Vergrößerung 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 5</source>
+            <translation>Ball, Vergrößerung 5</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame: point and extended source</source>
+            <translation>Flamme: punktförmige und ausgedehnte Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Point source</source>
+            <translation>Punktquelle</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
+            <translation>Licht von einem Punkt; die Lichtbilanz zeigt, wie viel vom Kegel die quadratische Linse verfehlt.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Extended source of 25 × 25 points</source>
+            <translation>Ausgedehnte Quelle aus 25 × 25 Punkten</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
+            <translation>Die Flamme setzt sich aus Bildern der quadratischen Quelle zusammen: kleinere Einzelheiten bleiben unscharf.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Point source, then the extended one</source>
+            <translation>Punktquelle, dann die ausgedehnte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
+            <translation>Die Zielfunktion springt, wenn bei Iteration 200 die ausgedehnte Quelle übernimmt; zu sehen ist, was zurückgewonnen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Walls and streets</source>
+            <translation>Wände und Straßen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wall washer</source>
+            <translation>Wandfluter</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
+            <translation>Ein Bild auf einer Wand, die sich von der Lampe wegneigt; es erscheint gerade.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Street light</source>
+            <translation>Straßenleuchte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
+            <translation>Die IES-Datei einer LED; die Strahlstärke steigt zu beiden Enden, damit die Straße gleichmäßig hell wird.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror: letter on a wall</source>
+            <translation>Spiegel: Buchstabe auf einer Wand</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
+            <translation>Sonnenlicht von unten, auf eine Wand daneben geworfen; der Spiegel neigt sich zu ihr.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror: photograph beside the lamp</source>
+            <translation>Spiegel: Fotografie neben der Lampe</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
+            <translation>Licht von einem Punkt, auf einen Schirm daneben gezeichnet; zu beachten, was den Spiegel verfehlt.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Two freeform faces</source>
+            <translation>Zwei Freiformflächen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph from a thin plate</source>
+            <translation>Fotografie mit einer dünnen Platte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
+            <translation>Beide Flächen lenken das Licht ab; ihre Neigungen mit denen einer Fläche vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide angle: disc from a near point</source>
+            <translation>Weitwinkel: Scheibe aus einem nahen Punkt</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
+            <translation>Licht kommt mit bis zu 60° an; kaum etwas davon verlässt das Glas durch die Seite.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED close by: square through a dome</source>
+            <translation>Nahe LED: Quadrat durch eine Kuppel</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
+            <translation>Die Eintrittsfläche wölbt sich zur LED; mit einer ebenen vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph at two distances</source>
+            <translation>Fotografie in zwei Abständen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
+            <translation>Dickes Glas verschiebt das Licht, die Austrittsfläche richtet es parallel; beide Bilder vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Several elements</source>
+            <translation>Mehrere Elemente</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED with dome, freeform lens and cover plate</source>
+            <translation>LED mit Dom, Freiformlinse und Deckplatte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
+            <translation>Die Linse wird mit dem Dom davor und der Platte dahinter entworfen; siehe die Strahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Collimated LED and freeform plate</source>
+            <translation>Kollimierte LED und Freiformplatte</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
+            <translation>Eine Kaufteillinse kollimiert das Licht, eine dünne Platte formt den Buchstaben; siehe seine weichen Kanten.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide photograph by one lens</source>
+            <translation>Breites Foto mit einer Linse</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
+            <translation>Eine Fläche lenkt das Licht um bis zu 47° ab; die Lichtbilanz zeigt, was reflektiert wird.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide photograph by two lenses</source>
+            <translation>Breites Foto mit zwei Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
+            <translation>Jede Linse lenkt das Licht etwa zur Hälfte ab; Fehler und Lichtbilanz mit einer Linse vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Diffuser before the screen</source>
+            <translation>Diffusor vor dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
+            <translation>Eine Folie 4 mm vor dem Schirm macht den Buchstaben unscharf; siehe, wie die Linse vorschärft.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Diffuser behind the lens</source>
+            <translation>Diffusor hinter der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
+            <translation>Eine um 0.3° streuende Folie verwischt am Schirm über 1 mm; mit dem Foto vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Fold mirror</source>
+            <translation>Umlenkspiegel</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
+            <translation>Ein Planspiegel lenkt das Licht vor der Freiformlinse um 90° um; siehe die gefaltete Achse.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror and lens</source>
+            <translation>Spiegel und Linse</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
+            <translation>Der Spiegel ist für das Licht hinter einer Kaufteillinse entworfen; siehe, wo die Strahlen sie durchlaufen.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Tilted lens</source>
+            <translation>Verkippte Linse</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
+            <translation>Die Linse ist verkippt und verschoben und wird in dieser Lage entworfen; das Bild bleibt gerade.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Derivative maps of a flat lens</source>
+            <translation>Ableitungskarten einer ebenen Linse</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (3, 3), filter 3 × 3</source>
+            <translation>Grade (3, 3), Filter 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
+            <translation>Steigt ein Kontrollpunkt, sammelt er Licht: ein Berg in einem Tal, Summe null.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (3, 3), filter 11 × 11</source>
+            <translation>Grade (3, 3), Filter 11 × 11</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
+            <translation>Derselbe Berg, glatter: das Licht jedes Strahls verteilt sich auf 11 × 11 Pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (5, 3), filter 3 × 3</source>
+            <translation>Grade (5, 3), Filter 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
+            <translation>Breiter entlang x: das Tal erreicht den Rand des Schirms, und die Summe ist nicht mehr null.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -10,56 +10,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>&amp;New from example</source>
-            <translation>Nouveau &amp;d'après un exemple</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>First lenses, twice as fine</source>
-            <translation>Premières lentilles, deux fois plus fines</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Top hat: networks and starts</source>
-            <translation>Disque uniforme : réseaux et points de départ</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Real lights</source>
-            <translation>Sources réelles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Flame and ball: magnifications</source>
-            <translation>Flamme et ballon : grandissements</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Flame: point and extended source</source>
-            <translation>Flamme : source ponctuelle et étendue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Walls and streets</source>
-            <translation>Murs et rues</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Two freeform faces</source>
-            <translation>Deux faces de forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Several elements</source>
-            <translation>Plusieurs éléments</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>Derivative maps of a flat lens</source>
-            <translation>Cartes de dérivées d'une lentille plane</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>Open &amp;recent</source>
             <translation>Fichiers &amp;récents</translation>
         </message>
@@ -130,468 +80,23 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Top hat</source>
-            <translation>Disque uniforme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A uniform disc of light; see how soon its edge is sharp.</source>
-            <translation>Un disque de lumière uniforme ; on voit son bord devenir vite net.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame</source>
-            <translation>Flamme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A flame-like logo on black; see light leave what shall be dark.</source>
-            <translation>Un logo en forme de flamme sur fond noir ; on voit la lumière quitter ce qui doit rester sombre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball</source>
-            <translation>Ballon</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
-            <translation>Un ballon à facettes ; on voit si chaque gris devient uniforme.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph</source>
-            <translation>Photographie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Every grey from black to white; see texture and shadow come.</source>
-            <translation>Tous les gris du noir au blanc ; on voit venir la texture et les ombres.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Letter</source>
-            <translation>Lettre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A bold letter on black; see its straight edges and corners.</source>
-            <translation>Une lettre grasse sur fond noir ; à observer : ses bords droits et ses coins.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, 512 × 512</source>
-            <translation>Flamme, 512 × 512</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The flame with four times the detail; see its thin parts.</source>
-            <translation>La flamme avec quatre fois plus de détails ; à observer : ses parties fines.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, 512 × 512</source>
-            <translation>Ballon, 512 × 512</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The ball with four times the detail; see the facets' edges.</source>
-            <translation>Le ballon avec quatre fois plus de détails ; à observer : les arêtes des facettes.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>No network, flat start</source>
-            <translation>Sans réseau, départ plan</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
-            <translation>La référence des trois réseaux : une lentille lisse qui garde la symétrie de la cible.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sparse network, faint start</source>
-            <translation>Réseau creux, départ faible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
-            <translation>Poids à un dix-millième de zéro ; comparer vitesse et symétrie au cas sans réseau.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sparse network, random start</source>
-            <translation>Réseau creux, départ aléatoire</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
-            <translation>Une lentille initiale rugueuse ; on voit la rugosité qui reste à la fin.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Dense network, faint start</source>
-            <translation>Réseau dense, départ faible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
-            <translation>Deux millions de poids pour mille hauteurs ; comparer coût et durée au réseau creux.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sun plate</source>
-            <translation>Plaque solaire</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
-            <translation>De l'acrylique à tenir au soleil, dont le disque rend flou de 4.7 mm : comparer erreur et borne.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Phone torch</source>
-            <translation>Lampe de téléphone</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
-            <translation>La LED d'un téléphone, près de la lentille, rend les bords flous.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED to a rectangle</source>
-            <translation>LED vers un rectangle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
-            <translation>La lumière aussi large que possible ; à observer : la réflexion totale et l'uniformité du reste.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Beam shaper</source>
-            <translation>Mise en forme de faisceau</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
-            <translation>Un faisceau laser gaussien devient un disque uniforme ; presque rien n'est perdu.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Measured LED</source>
-            <translation>LED mesurée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
-            <translation>Un fichier de 9 000 rayons éclaire la lentille ; leur grain se voit à la vérification.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>White light</source>
-            <translation>Lumière blanche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
-            <translation>Le polycarbonate dévie plus le bleu que le rouge ; voir les bords colorés de la photo prédite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 1</source>
-            <translation>Flamme, grandissement 1</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
-            <translation>Un écran de la taille de la lentille, au loin : quelques centièmes de hauteur suffisent.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 3</source>
-            <translation>Flamme, grandissement 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
-            <translation>La base concave remplit juste l'écran ; à observer : les coins, où les rayons sont inclinés.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Flame, magnification 5</source>
-            <translation>Flamme, grandissement 5</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
-            <translation>Plus incliné encore : comparer le coût et la lumière hors de l'écran à 1 et 3.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 1</source>
-            <translation>Ballon, grandissement 1</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 3</source>
-            <translation>Ballon, grandissement 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Ball, magnification 5</source>
-            <translation>Ballon, grandissement 5</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Point source</source>
-            <translation>Source ponctuelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
-            <translation>La lumière d'un point ; le bilan montre la part du cône qui manque la lentille carrée.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Extended source of 25 × 25 points</source>
-            <translation>Source étendue de 25 × 25 points</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
-            <translation>La flamme se compose d'images de la source carrée : les détails plus petits restent flous.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Point source, then the extended one</source>
-            <translation>Source ponctuelle, puis étendue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
-            <translation>Le coût saute quand la source étendue prend le relais à l'itération 200 ; on voit ce qui est regagné.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wall washer</source>
-            <translation>Lèche-mur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
-            <translation>Une image sur un mur incliné par rapport à la lampe ; elle apparaît droite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Street light</source>
-            <translation>Éclairage de rue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
-            <translation>Le fichier IES d'une LED ; l'intensité croît vers les deux bouts pour une route uniforme.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror: letter on a wall</source>
-            <translation>Miroir : lettre sur un mur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
-            <translation>Le soleil d'en bas, renvoyé vers un mur voisin ; le miroir s'incline vers lui.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror: photograph beside the lamp</source>
-            <translation>Miroir : photographie à côté de la lampe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
-            <translation>La lumière d'un point, dessinée sur un écran voisin ; à observer : ce qui manque le miroir.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph from a thin plate</source>
-            <translation>Photographie par une plaque mince</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
-            <translation>Les deux faces dévient la lumière ; comparer leurs pentes à celles d'une seule face.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide angle: disc from a near point</source>
-            <translation>Grand angle : disque d'un point proche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
-            <translation>La lumière arrive jusqu'à 60° ; très peu quitte le verre par le côté.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED close by: square through a dome</source>
-            <translation>LED proche : carré par un dôme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
-            <translation>La face d'entrée s'avance vers la LED ; comparer à une face plane.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Photograph at two distances</source>
-            <translation>Photographie à deux distances</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
-            <translation>Le verre épais déplace la lumière, la face de sortie la rend parallèle ; comparer les deux images.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>LED with dome, freeform lens and cover plate</source>
-            <translation>LED avec dôme, lentille de forme libre et vitre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
-            <translation>La lentille est conçue avec le dôme devant et la vitre derrière ; voir les rayons.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Collimated LED and freeform plate</source>
-            <translation>LED collimatée et plaque de forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
-            <translation>Une lentille du commerce collimate la lumière, une plaque mince forme la lettre ; voir ses bords flous.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide photograph by one lens</source>
-            <translation>Photo large avec une lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
-            <translation>Une face dévie la lumière jusqu’à 47° ; le bilan de lumière montre ce qui est réfléchi.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wide photograph by two lenses</source>
-            <translation>Photo large avec deux lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
-            <translation>Chaque lentille dévie la lumière d’environ la moitié ; comparez l’erreur et le bilan de lumière avec une lentille.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Diffuser before the screen</source>
-            <translation>Diffuseur devant l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
-            <translation>Un film à 4 mm de l'écran rend la lettre floue ; voir la lentille compenser ce flou.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Diffuser behind the lens</source>
-            <translation>Diffuseur derrière la lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
-            <translation>Un film qui diffuse de 0.3° rend flou sur 1 mm à l'écran ; comparer avec la photo.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Fold mirror</source>
-            <translation>Miroir de renvoi</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
-            <translation>Un miroir plan dévie la lumière de 90° avant la lentille freeform ; voir l'axe replié.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Mirror and lens</source>
-            <translation>Miroir et lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
-            <translation>Le miroir est conçu pour la lumière derrière une lentille du commerce ; voir où les rayons la traversent.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Tilted lens</source>
-            <translation>Lentille inclinée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
-            <translation>La lentille est inclinée et décalée, et conçue dans cette position ; l'image reste droite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (3, 3), filter 3 × 3</source>
-            <translation>Degrés (3, 3), filtre 3 × 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
-            <translation>Un point de contrôle qui monte rassemble la lumière : un mont dans une vallée, somme nulle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (3, 3), filter 11 × 11</source>
-            <translation>Degrés (3, 3), filtre 11 × 11</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
-            <translation>Le même mont, plus lisse : la lumière de chaque rayon s'étale sur 11 × 11 pixels.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Degrees (5, 3), filter 3 × 3</source>
-            <translation>Degrés (5, 3), filtre 3 × 3</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
-            <translation>Plus large selon x : la vallée atteint le bord de l'écran, et la somme n'est plus nulle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>&amp;New…</source>
             <translation>&amp;Nouveau…</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Begin a design: choose a job and enter its data</source>
-            <translation>Commencer une conception : choisir une tâche et entrer ses données</translation>
+            <source>Begin a design on the start page</source>
+            <translation>Commencer une conception sur la page d'accueil</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>New from &amp;gallery…</source>
-            <translation>Nouveau depuis la &amp;galerie…</translation>
+            <source>New from exa&amp;mple…</source>
+            <translation>Nouveau depuis un exemp&amp;le…</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Choose an example by the picture of its target</source>
-            <translation>Choisir un exemple d'après l'image de sa cible</translation>
+            <source>Choose an example on the start page</source>
+            <translation>Choisir un exemple sur la page d'accueil</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1425,6 +930,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Start page</source>
+            <translation>Page d'accueil</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Begin a design: a picture, a job, a recent file or an example</source>
+            <translation>Commencer une conception : image, tâche, fichier récent ou exemple</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Custom</source>
             <translation>Personnel</translation>
         </message>
@@ -1580,8 +1095,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>A short tour of the window</source>
-            <translation>Une courte visite de la fenêtre</translation>
+            <source>Four marks that explain the window</source>
+            <translation>Quatre repères qui expliquent la fenêtre</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1634,6 +1149,66 @@
             <translation>Aucune commande trouvée : {words}</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Describe the task</source>
+            <translation>Décrire la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Picture, light, lens and screen. Drag a label to change its value; Ctrl+Z undoes.</source>
+            <translation>Image, lumière, lentille et écran. Faire glisser un libellé change sa valeur ; Ctrl+Z annule.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Start the design</source>
+            <translation>Lancer la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Start (F5) designs the lens. Stop (F7) ends the run with the best lens so far.</source>
+            <translation>Démarrer (F5) conçoit la lentille. Arrêter (F7) termine l'exécution avec la meilleure lentille obtenue.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Image of light</source>
+            <translation>Image de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>The light on the screen, updated during the run. The buttons above show target, difference and photo.</source>
+            <translation>La lumière sur l'écran, mise à jour pendant l'exécution. Les boutons au-dessus montrent cible, différence et photo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>From task to part</source>
+            <translation>De la tâche à la pièce</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>Task, Design, Check, Make: verify the image, then export the lens for making.</source>
+            <translation>Tâche, Conception, Vérification, Fabrication : vérifier l'image, puis exporter la lentille à fabriquer.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Terminer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Suivant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/coach.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fini</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Vue de côté de la tâche</translation>
@@ -1657,11 +1232,6 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, à l'échelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/estimate.py" />
-            <source>estimate</source>
-            <translation>estimation</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/estimate.py" />
@@ -1692,16 +1262,6 @@
             <location filename="../../ui/dialogs/estimate.py" />
             <source>Estimating… {part:.0f} %</source>
             <translation>Estimation… {part:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/gallery.py" />
-            <source>New from example</source>
-            <translation>Nouveau d'après un exemple</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/gallery.py" />
-            <source>Examples</source>
-            <translation>Exemples</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
@@ -1735,16 +1295,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>New here? A tour of {count} steps explains the window. Help &gt; Tour starts it at any time.</source>
-            <translation>Nouveau ? Une visite en {count} étapes explique la fenêtre. Aide &gt; Visite guidée la lance à tout moment.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/help.py" />
-            <source>Start tour</source>
-            <translation>Commencer la visite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/help.py" />
             <source>About {title}</source>
             <translation>À propos de {title}</translation>
         </message>
@@ -1764,9 +1314,34 @@
             <translation>fichier de lumière</translation>
         </message>
         <message>
-            <location filename="../../ui/dialogs/start_page.py" />
-            <source>New design</source>
-            <translation>Nouvelle conception</translation>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>estimate</source>
+            <translation>estimation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>B&amp;ack</source>
+            <translation>&amp;Retour</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Commencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Impossible de commencer : {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>Picture</source>
+            <translation>Motif</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/job_page.py" />
+            <source>File of light</source>
+            <translation>Fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
@@ -1775,33 +1350,38 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>&amp;Begin</source>
-            <translation>&amp;Commencer</translation>
+            <source>Examples</source>
+            <translation>Exemples</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>&amp;Open a file…</source>
-            <translation>&amp;Ouvrir un fichier…</translation>
+            <source>Recent files</source>
+            <translation>Fichiers récents</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>E&amp;xamples…</source>
-            <translation>E&amp;xemples…</translation>
+            <source>Begin with a job</source>
+            <translation>Commencer par une tâche</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>Cannot begin: {reason}</source>
-            <translation>Impossible de commencer : {reason}</translation>
+            <source>Drop a picture here</source>
+            <translation>Déposer une image ici</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>Picture</source>
-            <translation>Motif</translation>
+            <source>The lens will draw it with light. Ctrl+V pastes one.</source>
+            <translation>La lentille la dessine avec la lumière. Ctrl+V colle une image.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/start_page.py" />
-            <source>File of light</source>
-            <translation>Fichier de lumière</translation>
+            <source>Choose &amp;picture…</source>
+            <translation>Choisir une i&amp;mage…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/start_page.py" />
+            <source>&amp;Open design…</source>
+            <translation>&amp;Ouvrir une conception…</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -1927,96 +1507,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error over the values</source>
             <translation>Erreur vérifiée selon les valeurs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Describe the task</source>
-            <translation>Décrire la tâche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Enter target image, lens, source and screen here. An impossible value is refused beside its field, with the allowed range. Drop a picture onto the window to use it as the target.</source>
-            <translation>Entrez ici l'image cible, la lentille, la source et l'écran. Une valeur impossible est refusée à côté de son champ, avec la plage permise. Déposez une image sur la fenêtre pour en faire la cible.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Start (F5) designs the lens. Pause (F6) interrupts the run, Stop (F7) ends it with the best lens so far, Continue resumes from that lens.</source>
-            <translation>Démarrer (F5) conçoit la lentille. Pause (F6) suspend l'exécution, Arrêter (F7) la termine avec la meilleure lentille, Continuer reprend à partir d'elle.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Lens, rays and screen. Drag to rotate, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+Alt+1 fits the lens, Ctrl+Alt+2 the screen, Ctrl+0 everything; Ctrl+D compresses distances.</source>
-            <translation>Lentille, rayons et écran. Glisser tourne, glisser avec Maj déplace, la molette agrandit ; de même les flèches, + et −. Ctrl+Alt+1 cadre la lentille, Ctrl+Alt+2 l'écran, Ctrl+0 l'ensemble ; Ctrl+D comprime les distances.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Image of light</source>
-            <translation>Image de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Flux per area, updated during the run. The buttons above show the target, the difference (red is too much light, blue too little), a photo and the face; Compare shows two of them with a handle between.</source>
-            <translation>Flux par surface, à jour pendant le calcul. Les boutons au-dessus montrent la cible, la différence (rouge : trop de lumière, bleu : trop peu), une photo et la face ; Comparer en montre deux avec une poignée entre elles.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Course of the run</source>
-            <translation>Déroulement de l'exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>The loss falls while the lens improves. Drag along the curve to show an earlier iteration; you can continue from any of them.</source>
-            <translation>La perte baisse quand la lentille s'améliore. Glissez le long de la courbe pour montrer une itération antérieure ; on peut continuer depuis chacune.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Undo and recovery</source>
-            <translation>Annulation et récupération</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step. Unsaved work is backed up every minute.</source>
-            <translation>Chaque modification et chaque exécution est une étape. Annuler avec Ctrl+Z, ou cliquer une étape. Le travail non enregistré est sauvegardé chaque minute.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Commands</source>
-            <translation>Commandes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>Ctrl+Shift+P finds a command by parts of its name. File &gt; New from gallery shows the examples, File &gt; Export writes the lens for other programs.</source>
-            <translation>Ctrl+Maj+P trouve une commande d'après des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre les exemples, Fichier &gt; Exporter écrit la lentille pour d'autres programmes.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;End</source>
-            <translation>&amp;Terminer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Back</source>
-            <translation>&amp;Retour</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>End the tour (Esc); Help &gt; Tour starts it again</source>
-            <translation>Terminer la visite (Échap) ; Aide &gt; Visite guidée la relance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>{number} of {count}</source>
-            <translation>{number} sur {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Done</source>
-            <translation>&amp;Fini</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/tour.py" />
-            <source>&amp;Next</source>
-            <translation>&amp;Suivant</translation>
         </message>
         <message>
             <location filename="../../ui/document/document.py" />
@@ -5093,6 +4583,496 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../resources/__init__.py" />
             <source>First lenses</source>
             <translation>Premières lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Top hat</source>
+            <translation>Disque uniforme</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A uniform disc of light; see how soon its edge is sharp.</source>
+            <translation>Un disque de lumière uniforme ; on voit son bord devenir vite net.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A flame-like logo on black; see light leave what shall be dark.</source>
+            <translation>Un logo en forme de flamme sur fond noir ; on voit la lumière quitter ce qui doit rester sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball</source>
+            <translation>Ballon</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
+            <translation>Un ballon à facettes ; on voit si chaque gris devient uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph</source>
+            <translation>Photographie</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Every grey from black to white; see texture and shadow come.</source>
+            <translation>Tous les gris du noir au blanc ; on voit venir la texture et les ombres.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Letter</source>
+            <translation>Lettre</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A bold letter on black; see its straight edges and corners.</source>
+            <translation>Une lettre grasse sur fond noir ; à observer : ses bords droits et ses coins.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>First lenses, twice as fine</source>
+            <translation>Premières lentilles, deux fois plus fines</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, 512 × 512</source>
+            <translation>Flamme, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The flame with four times the detail; see its thin parts.</source>
+            <translation>La flamme avec quatre fois plus de détails ; à observer : ses parties fines.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, 512 × 512</source>
+            <translation>Ballon, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The ball with four times the detail; see the facets' edges.</source>
+            <translation>Le ballon avec quatre fois plus de détails ; à observer : les arêtes des facettes.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Top hat: networks and starts</source>
+            <translation>Disque uniforme : réseaux et points de départ</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>No network, flat start</source>
+            <translation>Sans réseau, départ plan</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
+            <translation>La référence des trois réseaux : une lentille lisse qui garde la symétrie de la cible.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sparse network, faint start</source>
+            <translation>Réseau creux, départ faible</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
+            <translation>Poids à un dix-millième de zéro ; comparer vitesse et symétrie au cas sans réseau.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sparse network, random start</source>
+            <translation>Réseau creux, départ aléatoire</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A rough initial lens; see how much of its roughness remains at the end.</source>
+            <translation>Une lentille initiale rugueuse ; on voit la rugosité qui reste à la fin.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Dense network, faint start</source>
+            <translation>Réseau dense, départ faible</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
+            <translation>Deux millions de poids pour mille hauteurs ; comparer coût et durée au réseau creux.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Real lights</source>
+            <translation>Sources réelles</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sun plate</source>
+            <translation>Plaque solaire</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
+            <translation>De l'acrylique à tenir au soleil, dont le disque rend flou de 4.7 mm : comparer erreur et borne.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Phone torch</source>
+            <translation>Lampe de téléphone</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges.</source>
+            <translation>La LED d'un téléphone, près de la lentille, rend les bords flous.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED to a rectangle</source>
+            <translation>LED vers un rectangle</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
+            <translation>La lumière aussi large que possible ; à observer : la réflexion totale et l'uniformité du reste.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Beam shaper</source>
+            <translation>Mise en forme de faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
+            <translation>Un faisceau laser gaussien devient un disque uniforme ; presque rien n'est perdu.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Measured LED</source>
+            <translation>LED mesurée</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
+            <translation>Un fichier de 9 000 rayons éclaire la lentille ; leur grain se voit à la vérification.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>White light</source>
+            <translation>Lumière blanche</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.</source>
+            <translation>Le polycarbonate dévie plus le bleu que le rouge ; voir les bords colorés de la photo prédite.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame and ball: magnifications</source>
+            <translation>Flamme et ballon : grandissements</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 1</source>
+            <translation>Flamme, grandissement 1</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
+            <translation>Un écran de la taille de la lentille, au loin : quelques centièmes de hauteur suffisent.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 3</source>
+            <translation>Flamme, grandissement 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
+            <translation>La base concave remplit juste l'écran ; à observer : les coins, où les rayons sont inclinés.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame, magnification 5</source>
+            <translation>Flamme, grandissement 5</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
+            <translation>Plus incliné encore : comparer le coût et la lumière hors de l'écran à 1 et 3.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 1</source>
+            <translation>Ballon, grandissement 1</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 3</source>
+            <translation>Ballon, grandissement 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Ball, magnification 5</source>
+            <translation>Ballon, grandissement 5</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Flame: point and extended source</source>
+            <translation>Flamme : source ponctuelle et étendue</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Point source</source>
+            <translation>Source ponctuelle</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
+            <translation>La lumière d'un point ; le bilan montre la part du cône qui manque la lentille carrée.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Extended source of 25 × 25 points</source>
+            <translation>Source étendue de 25 × 25 points</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
+            <translation>La flamme se compose d'images de la source carrée : les détails plus petits restent flous.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Point source, then the extended one</source>
+            <translation>Source ponctuelle, puis étendue</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
+            <translation>Le coût saute quand la source étendue prend le relais à l'itération 200 ; on voit ce qui est regagné.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Walls and streets</source>
+            <translation>Murs et rues</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wall washer</source>
+            <translation>Lèche-mur</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
+            <translation>Une image sur un mur incliné par rapport à la lampe ; elle apparaît droite.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Street light</source>
+            <translation>Éclairage de rue</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
+            <translation>Le fichier IES d'une LED ; l'intensité croît vers les deux bouts pour une route uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror: letter on a wall</source>
+            <translation>Miroir : lettre sur un mur</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
+            <translation>Le soleil d'en bas, renvoyé vers un mur voisin ; le miroir s'incline vers lui.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror: photograph beside the lamp</source>
+            <translation>Miroir : photographie à côté de la lampe</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
+            <translation>La lumière d'un point, dessinée sur un écran voisin ; à observer : ce qui manque le miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Two freeform faces</source>
+            <translation>Deux faces de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph from a thin plate</source>
+            <translation>Photographie par une plaque mince</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
+            <translation>Les deux faces dévient la lumière ; comparer leurs pentes à celles d'une seule face.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide angle: disc from a near point</source>
+            <translation>Grand angle : disque d'un point proche</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
+            <translation>La lumière arrive jusqu'à 60° ; très peu quitte le verre par le côté.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED close by: square through a dome</source>
+            <translation>LED proche : carré par un dôme</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
+            <translation>La face d'entrée s'avance vers la LED ; comparer à une face plane.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Photograph at two distances</source>
+            <translation>Photographie à deux distances</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
+            <translation>Le verre épais déplace la lumière, la face de sortie la rend parallèle ; comparer les deux images.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Several elements</source>
+            <translation>Plusieurs éléments</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>LED with dome, freeform lens and cover plate</source>
+            <translation>LED avec dôme, lentille de forme libre et vitre</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The lens is designed with the dome before it and the plate behind it; see the rays.</source>
+            <translation>La lentille est conçue avec le dôme devant et la vitre derrière ; voir les rayons.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Collimated LED and freeform plate</source>
+            <translation>LED collimatée et plaque de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.</source>
+            <translation>Une lentille du commerce collimate la lumière, une plaque mince forme la lettre ; voir ses bords flous.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide photograph by one lens</source>
+            <translation>Photo large avec une lentille</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>One face bends light by up to 47°; see in the light account what is reflected.</source>
+            <translation>Une face dévie la lumière jusqu’à 47° ; le bilan de lumière montre ce qui est réfléchi.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wide photograph by two lenses</source>
+            <translation>Photo large avec deux lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Each lens bends light by about half; compare error and light account with one lens.</source>
+            <translation>Chaque lentille dévie la lumière d’environ la moitié ; comparez l’erreur et le bilan de lumière avec une lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Diffuser before the screen</source>
+            <translation>Diffuseur devant l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.</source>
+            <translation>Un film à 4 mm de l'écran rend la lettre floue ; voir la lentille compenser ce flou.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Diffuser behind the lens</source>
+            <translation>Diffuseur derrière la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.</source>
+            <translation>Un film qui diffuse de 0.3° rend flou sur 1 mm à l'écran ; comparer avec la photo.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Fold mirror</source>
+            <translation>Miroir de renvoi</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>A plane mirror turns the light by 90° before the freeform lens; see the folded axis.</source>
+            <translation>Un miroir plan dévie la lumière de 90° avant la lentille freeform ; voir l'axe replié.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Mirror and lens</source>
+            <translation>Miroir et lentille</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The mirror is designed for the light behind a stock lens; see where the rays cross it.</source>
+            <translation>Le miroir est conçu pour la lumière derrière une lentille du commerce ; voir où les rayons la traversent.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Tilted lens</source>
+            <translation>Lentille inclinée</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The lens is tilted and shifted, and is designed as it stands; see the image come out straight.</source>
+            <translation>La lentille est inclinée et décalée, et conçue dans cette position ; l'image reste droite.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Derivative maps of a flat lens</source>
+            <translation>Cartes de dérivées d'une lentille plane</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (3, 3), filter 3 × 3</source>
+            <translation>Degrés (3, 3), filtre 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
+            <translation>Un point de contrôle qui monte rassemble la lumière : un mont dans une vallée, somme nulle.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (3, 3), filter 11 × 11</source>
+            <translation>Degrés (3, 3), filtre 11 × 11</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
+            <translation>Le même mont, plus lisse : la lumière de chaque rayon s'étale sur 11 × 11 pixels.</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Degrees (5, 3), filter 3 × 3</source>
+            <translation>Degrés (5, 3), filtre 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
+            <translation>Plus large selon x : la vallée atteint le bord de l'écran, et la somme n'est plus nulle.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
 import resources
+from resources import EXAMPLES
 from tests.soak.actions import ACTIONS, windows
 from tests.soak.dialogs import answer, open_dialog
 from tests.soak.monitor import Monitor, resident_mb
@@ -181,7 +182,7 @@ class Monkey(QObject):
         yield from self._wait(lambda: window.loaded is not None, "a window to load")
         yield from self._still(window)
         window.showNormal()
-        window.commands["new_tophat"].trigger()
+        window.files.new(EXAMPLES[0])
         yield from self._wait(lambda: not window.document.dirty, "the example")
         yield 1500
         yield from self._wait(lambda: len(_threads()) <= _THREADS, "threads to end")

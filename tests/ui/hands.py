@@ -1,7 +1,10 @@
 """What hands do at the forms and dialogs of a window."""
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from resources import EXAMPLES
 
 
 def rows(forms):
@@ -65,6 +68,21 @@ def move_screen(document, z, text="change of receiver position", key=""):
     """One step of the design, of this text and key."""
     scene = document.session.scene
     document.edit(scene.with_receiver(scene.receiver.moved_to(float(z))), text, key)
+
+
+def drop(window, path):
+    """Drop a file onto a window."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    window.dropEvent(QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, left, none))
+
+
+def open_example(window, name):
+    """Choose an example on the start page."""
+    window.commands["examples"].trigger()
+    row = [example.name for example in EXAMPLES].index(name)
+    window.start_page.examples.chosen.emit(row)
 
 
 def accept_as(pattern):

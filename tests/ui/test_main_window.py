@@ -3,11 +3,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from tests.ui.hands import editor
+from resources import EXAMPLES
+from tests.ui.hands import drop, editor, open_example
 from ui.commands.table import COMMANDS
 from workbench.files.session import Session, read_session
 from workbench.scene import Scene
@@ -67,20 +67,6 @@ def built(window):
 def edit(window, z):
     editor(window.forms, "images[0].receiver.position[2]").setText(str(z))
     window.forms.commit()
-
-
-def drop(window, path):
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
-    window.dropEvent(
-        QDropEvent(
-            QPointF(9, 9),
-            Qt.DropAction.CopyAction,
-            data,
-            Qt.MouseButton.LeftButton,
-            Qt.KeyboardModifier.NoModifier,
-        )
-    )
 
 
 def wait_for_idle(window, qtbot):
@@ -149,20 +135,20 @@ def test_closing_asks_before_changes_are_lost(
 def test_a_new_design_asks_before_changes_are_lost(window, answers):
     edit(window, 7)
     answers.append(CANCEL)
-    window.commands["new_flame"].trigger()
+    open_example(window, "flame")
     assert window.document.session.scene.receiver.z == 7
     answers.append(DISCARD)
-    window.commands["new_flame"].trigger()
+    open_example(window, "flame")
     assert window.document.name == "flame"
 
 
 def test_an_example_begins_an_untitled_design(window):
     name = "flame"
-    window.commands[f"new_{name}"].trigger()
+    open_example(window, name)
     assert window.windowTitle().startswith(f"{name}[*]")
     assert window.document.path is None
     assert name in window.document.session.scene.target.image
-    look = window.commands[f"new_{name}"].statusTip()
+    (look,) = (example.look for example in EXAMPLES if example.name == name)
     assert window.messages.text == look
 
 
@@ -246,7 +232,7 @@ def test_a_saved_run_goes_on_after_it_is_opened(built, qtbot, tmp_path):
         built.commands["start"].trigger()
     path = tmp_path / "run.freeform"
     built.document.save(path)
-    built.commands["new_flame"].trigger()
+    open_example(built, "flame")
     assert not built.commands["continue"].isEnabled()
     built.files.open(path)
     with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QDialogButtonBox, QLabel
 import ui
 from ui.commands.actions import LANGUAGE
 from ui.commands.table import COMMANDS
-from ui.dialogs.start_page import StartPage
 from ui.widgets.figures import translate, translate_axes
 from ui.words import error_text, set_language, system_language, tr
 from workbench.errors import Refused
@@ -127,9 +126,8 @@ def test_no_command_and_no_job_stays_english(speaking, open_window):
     for name, command in COMMANDS.items():
         if name not in ("undo", "redo") and command.text.replace("{optic}", "lens") not in alike:
             assert window.commands[name].text() != command.text.replace("{optic}", "lens"), name
-    page = StartPage(window.early.dialogs, window)
-    titles = [page._jobs.item(number).text() for number in range(len(JOBS))]
-    page.reject()
+    jobs = window.start_page.jobs
+    titles = [jobs.item(number).text() for number in range(len(JOBS))]
     assert titles[:2] == ["Platte in der Sonne", "Taschenlampe oder Telefon"]
     assert "Mirror" not in titles
 

@@ -25,7 +25,6 @@ from ui.commands.table import (
     FACES_BY,
     LANGUAGE_CHOICES,
     LOCKS,
-    NEW,
     PICTURES,
     RAYS,
     RAYS_BY,
@@ -38,15 +37,6 @@ from ui.commands.table import (
 from ui.widgets import theme
 from ui.words import current_language, system_language, tr
 
-
-def _examples() -> list[Any]:
-    groups: dict[str, list[str]] = {}
-    for name, example in NEW.items():
-        groups.setdefault(example.group, []).append(name)
-    (_, first), *others = groups.items()
-    return [*first, None, *others]
-
-
 _RUN = ["start", "continue", "pause", "stop"]
 
 # Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
@@ -54,8 +44,7 @@ _RUN = ["start", "continue", "pause", "stop"]
 MENUS: dict[str, list[Any]] = {
     "&File": [
         "new",
-        ("&New from example", _examples()),
-        "gallery",
+        "examples",
         "new_window",
         "open",
         ("Open &recent", []),
@@ -104,7 +93,7 @@ MENUS: dict[str, list[Any]] = {
         ("Th&eme", list(THEMES)),
         ("La&nguage", list(LANGUAGE_CHOICES)),
         None,
-        ("&Workspace", list(WORKSPACE_CHOICES)),
+        ("&Workspace", ["workspace_start", *WORKSPACE_CHOICES]),
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
         "reset_layout",
         None,
@@ -112,7 +101,7 @@ MENUS: dict[str, list[Any]] = {
     ],
     "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }
-_FILES, _STEPS = ["new", "open", "save"], ["undo", "redo"]
+_FILES, _STEPS = ["new", "open", "save", "export"], ["undo", "redo"]
 TOOLBAR = [
     *_FILES,
     None,
@@ -137,7 +126,7 @@ CHOICES = [
     list(THEMES),
     list(LANGUAGE_CHOICES),
     list(TOOLS),
-    list(WORKSPACE_CHOICES),
+    ["workspace_start", *WORKSPACE_CHOICES],
 ]
 """Groups of commands of which one is on."""
 LOOK = ["exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
@@ -238,8 +227,9 @@ class Commands:
         bar = QWidget(self._window.menuBar())
         row = QHBoxLayout(bar)
         row.setContentsMargins(0, 0, 0, 0)
-        for number, name in enumerate(WORKSPACE_CHOICES, 1):
-            self[name].setIconText(f"{number} {self[name].text()}")
+        for number, name in enumerate(("workspace_start", *WORKSPACE_CHOICES)):
+            if number:
+                self[name].setIconText(f"{number} {self[name].text()}")
             button = QToolButton()
             button.setAutoRaise(True)
             button.setDefaultAction(self[name])

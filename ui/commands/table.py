@@ -5,7 +5,6 @@ from typing import Literal
 
 from PySide6.QtGui import QKeySequence
 
-from resources import EXAMPLES
 from ui.commands.panes import PANES, WORKSPACES
 from ui.words import LANGUAGES, tr
 
@@ -30,9 +29,6 @@ class Command:
 
 
 _Key = QKeySequence.StandardKey
-
-NEW = {f"new_{example.name}": example for example in EXAMPLES}
-"""Commands that begin with an example."""
 
 VIEWS = ("lens", "screen", "side", "top", "axis")
 """Where the 3D scene can be looked at from, each with a command; see `FittedCamera.fit`."""
@@ -80,10 +76,9 @@ PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
 """Commands that save the 3D scene so many times as large as it is seen."""
 
 COMMANDS = {
-    **{name: Command(example.title, example.look) for name, example in NEW.items()},
-    "new": Command("&New…", "Begin a design: choose a job and enter its data", _Key.New, "new"),
-    "gallery": Command(
-        "New from &gallery…", "Choose an example by the picture of its target", "Ctrl+Shift+N"
+    "new": Command("&New…", "Begin a design on the start page", _Key.New, "new"),
+    "examples": Command(
+        "New from exa&mple…", "Choose an example on the start page", "Ctrl+Shift+N"
     ),
     "new_window": Command(
         "New &window", "Open another window with its own design and run", "Ctrl+Shift+W"
@@ -91,7 +86,9 @@ COMMANDS = {
     "open": Command("&Open…", "Open a design, or a scene file", _Key.Open, "open"),
     "save": Command("&Save", "Save scene, target and {optic}", _Key.Save, "save"),
     "save_as": Command("Save &as…", "Save under another name", "Ctrl+Shift+S"),
-    "export": Command("&Export…", "Write the {optic} or its rays for other programs", "Ctrl+E"),
+    "export": Command(
+        "&Export…", "Write the {optic} or its rays for other programs", "Ctrl+E", "export"
+    ),
     "cut": Command("Cu&t with a ball cutter…", "Simulate a finishing pass and write it as G-code"),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures as a report (HTML, PDF)", "Ctrl+R"
@@ -279,6 +276,12 @@ COMMANDS = {
         f"workspace_{name}": Command(each.title, each.tip, f"Ctrl+{number}", checked=number == 1)
         for number, (name, each) in enumerate(WORKSPACES.items(), 1)
     },
+    "workspace_start": Command(
+        "Start page",
+        "Begin a design: a picture, a job, a recent file or an example",
+        icon="start-page",
+        checked=False,
+    ),
     "workspace_custom": Command(
         "Custom", "Arrange docks by hand: drag their title bars", "Ctrl+5", checked=False
     ),
@@ -295,7 +298,7 @@ COMMANDS = {
     },
     "palette": Command("Command &palette", "Find any command by its name", "Ctrl+Shift+P"),
     "shortcuts": Command("&Keyboard shortcuts", "All keyboard shortcuts, with search", "Ctrl+F1"),
-    "tour": Command("&Tour", "A short tour of the window"),
+    "tour": Command("&Tour", "Four marks that explain the window"),
     "manual": Command("&Manual", "Manual of window, command line and methods", "F1"),
     "about": Command("&About", "About this program"),
 }

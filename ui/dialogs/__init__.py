@@ -1,1 +1,1 @@
-"""Dialogs of the window: start page, gallery, sweep, manual, tour."""
+"""Start page with its jobs, sweep, manual and coach marks."""

@@ -24,10 +24,9 @@ from resources.manual_pages import Page, pages
 from ui.commands.actions import Commands
 from ui.commands.command_search import CommandPalette
 from ui.commands.panes import PaneFocus
-from ui.dialogs.tour import STOPS, Tour
+from ui.dialogs.coach import CoachMarks
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
-from ui.widgets.messages import Messages
 from ui.words import tr
 
 _COLUMNS, _ROWS = 140, 48  # characters and lines seen at once
@@ -169,56 +168,49 @@ class Manual(QDialog):
 
 
 TITLE = "Freeform Lens Workbench"
-_OFFERED = "tour_offered"
+_SHOWN = "coach_marks_shown"
 
 
 class Help(QObject):
     """Functions of the help menu."""
 
-    def __init__(
-        self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: Messages
-    ) -> None:
+    def __init__(self, window: QMainWindow, commands: Commands, panes: PaneFocus) -> None:
         super().__init__(window)
         self._window, self._commands, self._panes = window, commands, panes
-        self._messages = messages
-        self._tour: Tour | None = None
+        self._marks: CoachMarks | None = None
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {
             "palette": self._search,
             "shortcuts": lambda: self._search(with_keys=True),
-            "tour": self.begin_tour,
+            "tour": self.show_marks,
             "manual": lambda: Manual(self._window).show(),
             "about": self._show_about,
         }
 
-    def offer_tour(self, settings: QSettings) -> None:
-        if not settings.value(_OFFERED):
-            settings.setValue(_OFFERED, True)
-            self._messages.note(
-                tr(
-                    "New here? A tour of {count} steps explains the window. Help > Tour starts it "
-                    "at any time."
-                ).format(count=len(STOPS)),
-                (tr("Start tour"), self.begin_tour),
-            )
+    def show_marks_once(self, settings: QSettings) -> None:
+        if not settings.value(_SHOWN):
+            settings.setValue(_SHOWN, True)
+            self.show_marks()
 
-    def begin_tour(self) -> None:
-        if self._tour is None:
-            self._messages.clear()
-            self._tour = Tour(self._window, self._place, self._panes.show, self._hide)
-            self._tour.ended.connect(self._forget_tour)
+    def show_marks(self) -> None:
+        """Show what the parts of the window are for, in the workspace that has them all."""
+        if self._marks is not None:
+            return
+        self._commands["workspace_task"].trigger()
+        bar = self._commands.toolbar
+        places = (
+            self._panes.place("design"),
+            bar.widgetForAction(self._commands["start"]),
+            self._panes.place("irradiance"),
+            self._window.menuBar().cornerWidget(),
+        )
+        self._marks = CoachMarks(self._window, places)
+        self._marks.ended.connect(self._forget_marks)
 
-    def _place(self, name: str) -> QWidget:
-        if name == "menus":
-            return self._window.menuBar()
-        return self._commands.toolbar if name == "toolbar" else self._panes.place(name)
-
-    def _hide(self, name: str) -> None:
-        self._panes.place(name).hide()
-
-    def _forget_tour(self) -> None:
-        self._tour = None
+    def _forget_marks(self) -> None:
+        self._marks = None
+        self._window.setFocus()
 
     def _search(self, *, with_keys: bool = False) -> None:
         entries = self._commands.entries()

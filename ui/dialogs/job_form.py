@@ -32,7 +32,8 @@ class JobForm(QScrollArea):
         self.job = job
         page = QWidget()
         column = QVBoxLayout(page)
-        heading = QLabel(f"<b>{tr(title_of(type(job)))}</b>")
+        heading = QLabel(tr(title_of(type(job))))
+        heading.setObjectName("title")
         about = WrappedLabel(tr(summary_of(type(job))))
         column.addWidget(heading)
         column.addWidget(about)

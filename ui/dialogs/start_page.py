@@ -1,14 +1,16 @@
-"""The page that a new design begins with: choose a job, answer its questions, begin."""
+"""The page that a window begins with: a picture, a job, a recent file or an example."""
 
 from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QRect, QSettings, Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
+    QFrame,
     QHBoxLayout,
-    QListWidget,
+    QLabel,
     QPushButton,
     QScrollArea,
     QStackedWidget,
@@ -16,203 +18,208 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.dialogs.drawing import SideDrawing
-from ui.dialogs.estimate import EstimateView, Estimator
-from ui.dialogs.job_form import JobForm
-from ui.files.actions import FileActions
+import resources
+from resources import EXAMPLES, Example
+from ui.dialogs.job_page import JobPage
+from ui.files.actions import FileActions, RecentFiles
 from ui.files.dialogs import FileDialogs
-from ui.panels.editors import Refusal
 from ui.panels.images import image_files
-from ui.panels.scene import light_files
-from ui.widgets.controls import filled
+from ui.widgets import theme
+from ui.widgets.controls import STRETCH, filled
+from ui.widgets.labels import WrappedLabel
+from ui.widgets.tiles import Shape, Tile, Tiles
 from ui.words import tr
-from workbench.jobs import JOBS, side_view
+from workbench.errors import Refused
+from workbench.files.scene import read_scene
+from workbench.jobs import JOBS
 from workbench.scene.part import summary_of, title_of
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.jobs import Job
 
-_SIZE = QSize(1240, 820)
-_JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
+_WELL_HIGH, _WIDEST, _ICON = 176, 1600, 48  # pixels
+_MOST_RECENT = 6
+_JOBS, _EXAMPLES = Shape(212, 0.625, 4), Shape(128, 1.0, 2, with_about=False)
+_RECENT = Shape(150, 0.0, 2)
 
 
-class StartPage(QDialog):
-    """Lists the jobs; shows form, drawing and estimate of the selected one."""
+class StartPage(QStackedWidget):
+    """Begins designs: from a dropped picture, a job, a recent file or an example."""
 
-    begun = Signal(object, str)  # Session, str
-    open_asked = Signal()
-    examples_asked = Signal()
-
-    def __init__(self, dialogs: FileDialogs, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("New design"))
-        self._dialogs = dialogs
-        self._session: Session | None = None  # of the job as it is now
-        self._begins = False  # as soon as there is one
-        self._obstacle = ""  # why there is none
-        self._refusal = Refusal()
-        self._estimator = Estimator(self)
-        self._drawing, self._estimate = SideDrawing(), EstimateView()
-        self._jobs = QListWidget()
-        self._jobs.setAccessibleName(tr("Jobs"))
-        self._jobs.setSpacing(3)
-        self._stack = QStackedWidget()
-        self._stack.setMinimumWidth(_FORM_WIDE)
-        self._forms = [JobForm(kind()) for kind in JOBS]
-        for kind, form in zip(JOBS, self._forms, strict=True):
-            self._jobs.addItem(tr(title_of(kind)))
-            self._jobs.item(self._jobs.count() - 1).setToolTip(tr(summary_of(kind)))
-            form.changed.connect(self._update)
-            form.image_asked.connect(self._choose_image)
-            form.light_asked.connect(self._choose_light)
-            self._stack.addWidget(form)
-        beside = self._jobs.frameWidth() + self._jobs.spacing()
-        self._jobs.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._jobs.setFixedWidth(max(self._jobs.sizeHintForColumn(0) + 2 * beside, _JOBS_WIDE))
-        self._lay_out()
-        self._estimator.ready.connect(self._store)
-        self._estimator.found.connect(self._estimate.show_prospect)
-        self._estimator.progressed.connect(self._estimate.show_progress)
-        self._estimator.failed.connect(self._refuse)
-        self.finished.connect(self._close)
-        self._jobs.currentRowChanged.connect(self._choose)
-        self._jobs.setCurrentRow(0)
-        self.resize(_SIZE.boundedTo(window.size()))
-        self._jobs.setFocus()
-
-    @property
-    def form(self) -> JobForm:
-        return self._forms[self._stack.currentIndex()]
-
-    def select(self, kind: "type[Job]") -> None:
-        self._jobs.setCurrentRow(JOBS.index(kind))
-
-    def begin(self) -> None:
-        """Begin the job, now or as soon as its target is drawn."""
-        self.form.commit()
-        if self.form.refused:
-            return
-        self._begins = True
-        if self._session is not None:
-            self._end(self._session)
-        else:
-            self._show_obstacle()
-
-    def _lay_out(self) -> None:
-        aside = QWidget()
-        filled(QVBoxLayout(aside), (self._drawing, 1), self._estimate, margins=0)
-        scrolled = QScrollArea()
-        scrolled.setWidget(aside)
-        scrolled.setWidgetResizable(True)
-        scrolled.setFrameShape(QScrollArea.Shape.NoFrame)
-        line = filled(QHBoxLayout(), self._jobs, (self._stack, 2), (scrolled, 3))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self._begin = buttons.addButton(tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
-        for text, asked in (
-            (tr("&Open a file…"), self.open_asked),
-            (tr("E&xamples…"), self.examples_asked),
-        ):
-            button = buttons.addButton(text, QDialogButtonBox.ButtonRole.ResetRole)
-            button.clicked.connect(self.reject)
-            button.clicked.connect(asked.emit)
-        buttons.accepted.connect(self.begin)
-        buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), (line, 1), self._refusal, buttons)
-        for button in self.findChildren(QPushButton):
-            button.setAutoDefault(button is self._begin)
-        self._begin.setDefault(True)  # here, since buttons forget it on their way into a dialog
-
-    def _choose(self, row: int) -> None:
-        self._stack.setCurrentIndex(row)
-        self._update()
-
-    def _update(self) -> None:
-        self._session, self._begins, self._obstacle = None, False, ""
-        self._refusal.show_text("")
-        self._begin.setEnabled(not self.form.refused)
-        if self.form.refused:
-            self._estimator.leave()
-            self._estimate.outdate()
-            return
-        self._drawing.show_view(side_view(self.form.job.scene()))
-        self._estimate.wait()
-        self._estimator.estimate(self.form.job)
-
-    def _store(self, session: "Session") -> None:
-        self._session = session
-        self._estimate.show_target(session)
-        if self._begins:
-            self._end(session)
-
-    def _end(self, session: "Session") -> None:
-        self._begins = False
-        self.begun.emit(session, tr(title_of(type(self.form.job))))
-
-    def _refuse(self, why: str) -> None:
-        self._obstacle = why
-        self._estimate.refuse(why)
-        if self._begins:
-            self._show_obstacle()
-
-    def _show_obstacle(self) -> None:
-        if self._obstacle:
-            why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
-            self._refusal.show_text(f"\N{WARNING SIGN} {why}")
-
-    def _choose_image(self) -> None:
-        path = self._dialogs.to_open("image", tr("Picture"), image_files())
-        if path is not None:
-            self.form.choose_image(path)
-        else:
-            self.form.show_job()
-
-    def _choose_light(self) -> None:
-        path = self._dialogs.to_open("light", tr("File of light"), light_files())
-        if path is not None:
-            self.form.choose_light(path)
-
-    def _close(self) -> None:
-        self._estimator.close()
-        self.deleteLater()
-
-
-class Start(QObject):
-    """Has at most one start page open."""
-
-    open_changed = Signal(bool)
+    begun = Signal()
+    left = Signal()
 
     def __init__(
         self,
         files: FileActions,
-        show_examples: Callable[[], object],
+        recent: RecentFiles,
+        open_example: Callable[[Example], object],
         dialogs: FileDialogs,
-        window: QWidget,
+        settings: QSettings,
     ) -> None:
-        super().__init__(window)
-        self._files, self._show_examples = files, show_examples
-        self._dialogs, self._window = dialogs, window
-        self.page: StartPage | None = None
+        super().__init__()
+        self._files, self._recent, self._dialogs = files, recent, dialogs
+        self.job = JobPage(dialogs, settings)
+        self.job.begun.connect(self._begin)
+        self.job.left.connect(partial(self.setCurrentIndex, 0))
+        self.message = WrappedLabel(textFormat=Qt.TextFormat.PlainText)
+        self.message.setObjectName("hint")
+        self._well = Well()
+        self._well.asked.connect(self._choose_picture)
+        self._well.open.clicked.connect(files.choose_and_open)
+        self.jobs = Tiles(tr("Jobs"), _JOBS)
+        self.jobs.put([Tile(tr(title_of(k)), tr(summary_of(k)), _of_job(k)) for k in JOBS])
+        self.jobs.chosen.connect(lambda row: self.show_job(JOBS[row]))
+        self.examples = Tiles(tr("Examples"), _EXAMPLES)
+        self.examples.put(list(map(_of_example, EXAMPLES)))
+        self.examples.chosen.connect(lambda row: open_example(EXAMPLES[row]))
+        self.recent = Tiles(tr("Recent files"), _RECENT)
+        self.recent.chosen.connect(lambda row: files.open_recent(self._recent.paths()[row]))
+        files.recent_changed.connect(self.refresh)
+        self._beside = QWidget()
+        filled(
+            QVBoxLayout(self._beside), _title(tr("Recent files")), self.recent, STRETCH, margins=0
+        )
+        first = filled(QHBoxLayout(), (self._well, 3), (self._beside, 2), spacing=24)
+        page = QWidget()
+        filled(
+            QVBoxLayout(page),
+            *(self.message, first),
+            *(_title(tr("Begin with a job")), self.jobs),
+            *(_title(tr("Examples")), self.examples, STRETCH),
+            margins=(24, 24, 16, 16),
+            spacing=8,
+        )
+        page.setMaximumWidth(_WIDEST)
+        self._page, self._scrolled = page, QScrollArea()
+        self._scrolled.setWidget(page)
+        self._scrolled.setWidgetResizable(True)
+        self._scrolled.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        self._scrolled.setFrameShape(QFrame.Shape.NoFrame)
+        self._scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        for tiles in (self.recent, self.jobs, self.examples):
+            tiles.come_to.connect(partial(self._scroll_to, tiles))
+        self.addWidget(self._scrolled)
+        self.addWidget(self.job)
+        self.refresh()
 
-    def show(self) -> None:
-        if self.page is not None:
-            return
-        self.page = page = StartPage(self._dialogs, self._window)
-        page.begun.connect(self._begin)
-        page.open_asked.connect(self._files.choose_and_open)
-        page.examples_asked.connect(self._show_examples)
-        page.finished.connect(self._forget)
-        self.open_changed.emit(True)
-        page.open()
+    def refresh(self) -> None:
+        """Show the files that were open last, and no message."""
+        self.message.hide()
+        paths = self._recent.paths()[:_MOST_RECENT]
+        self.recent.put([Tile(path.stem, _short(path.parent)) for path in paths])
+        self._beside.setVisible(bool(paths))
 
-    def close(self) -> None:
-        if self.page is not None:
-            self.page.reject()
+    def begin_anew(self, *, at_examples: bool = False) -> None:
+        """Show what can be begun with, from the top or from the examples on."""
+        self.refresh()
+        self.setCurrentIndex(0)
+        first = self.examples if at_examples else self._well.choose
+        first.setFocus(Qt.FocusReason.TabFocusReason)
+        bar = self._scrolled.verticalScrollBar()
+        above = self.examples.y() - _title("").sizeHint().height() if at_examples else 0
+        QTimer.singleShot(0, bar, partial(bar.setValue, above))
+
+    def show_job(self, kind: "type[Job]") -> None:
+        """Ask the questions of a job."""
+        self.setCurrentWidget(self.job)
+        self.job.show_job(kind)
+
+    def use_picture(self, path: Path) -> None:
+        """Use a picture for the job that is shown, or for the first one."""
+        if self.currentWidget() is not self.job or not self.job.use_picture(path):
+            self.show_job(JOBS[0])
+            self.job.use_picture(path)
+
+    def await_drop(self, awaited: bool) -> None:
+        """Show that something can be dropped."""
+        self._well.setProperty("active", awaited)
+        theme.restyle(self._well)
+
+    def show_message(self, text: str) -> None:
+        self.message.setText(text)
+        self.message.show()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.left.emit()
+        else:
+            super().keyPressEvent(event)
 
     def _begin(self, session: "Session", name: str) -> None:
-        if self._files.begin(session, name) and self.page is not None:
-            self.page.accept()
+        if self._files.begin(session, name):
+            self.setCurrentIndex(0)
+            self.begun.emit()
 
-    def _forget(self) -> None:
-        self.page = None
-        self.open_changed.emit(False)
+    def _choose_picture(self) -> None:
+        path = self._dialogs.to_open("image", tr("Picture"), image_files())
+        if path is not None:
+            self.use_picture(path)
+
+    def _scroll_to(self, tiles: Tiles, place: QRect) -> None:
+        middle = tiles.mapTo(self._page, place.center())
+        self._scrolled.ensureVisible(middle.x(), middle.y(), 0, place.height())
+
+
+class Well(QFrame):
+    """Where a picture is dropped, or asked for by a click."""
+
+    asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("well")
+        self.setMinimumHeight(_WELL_HIGH)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        centre = Qt.AlignmentFlag.AlignHCenter
+        self._icon, title = QLabel(alignment=centre), _title(tr("Drop a picture here"))
+        title.setAlignment(centre)
+        hint = QLabel(tr("The lens will draw it with light. Ctrl+V pastes one."), alignment=centre)
+        hint.setObjectName("muted")
+        self.choose = QPushButton(tr("Choose &picture…"))
+        self.open = QPushButton(tr("&Open design…"))
+        self.choose.setObjectName("primary")
+        self.choose.clicked.connect(self.asked)
+        for button in (self.choose, self.open):
+            button.setAutoDefault(True)
+        row = filled(QHBoxLayout(), STRETCH, self.choose, self.open, STRETCH, spacing=8)
+        filled(QVBoxLayout(self), STRETCH, self._icon, title, hint, row, STRETCH, spacing=6)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._icon.setPixmap(theme.icon("picture", self.palette()).pixmap(_ICON))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self.rect().contains(event.position().toPoint()):
+            self.asked.emit()
+
+
+def _title(text: str) -> QLabel:
+    label = QLabel(text)
+    label.setObjectName("title")
+    return label
+
+
+def _short(folder: Path) -> str:
+    own = Path.home()
+    return f"~/{folder.relative_to(own)}" if folder.is_relative_to(own) else str(folder)
+
+
+def _of_job(kind: "type[Job]") -> Callable[[], QImage]:
+    return partial(QImage, str(resources.path("jobs", f"{kind.__name__}.jpg")))
+
+
+def _of_example(example: Example) -> Tile:
+    return Tile(
+        tr(example.title), f"{tr(example.group)}: {tr(example.look)}", partial(_target, example)
+    )
+
+
+def _target(example: Example) -> QImage:
+    try:
+        image = read_scene(example.file).image
+    except Refused:  # reported when it is opened
+        return QImage()
+    return QImage() if image is None else QImage(image)

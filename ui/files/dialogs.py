@@ -108,6 +108,9 @@ class ChosenFiles(QObject):
     ) -> None:
         super().__init__(parent)
         self._forms, self._dialogs, self._messages = forms, dialogs, messages
+        self.use_picture: Callable[[Path], object] = forms.choose_image
+        self.use_light: Callable[[Path], object] = forms.choose_light
+        self.ask = True  # before a file that is opened is used in the design
         forms.image_asked.connect(self._choose_image)
         forms.light_asked.connect(self._choose_light)
 
@@ -117,17 +120,19 @@ class ChosenFiles(QObject):
     def take(self, path: Path) -> bool:
         """Use a light file or picture in the design; False for a design or scene."""
         if is_light_file(path):
-            self._forms.choose_light(path)
+            self.use_light(path)
         elif path.suffix.lower() in (ENDING, ".json"):
             return False
         else:
-            self._forms.choose_image(path)
+            self.use_picture(path)
         return True
 
     def offer(self, path: Path) -> bool:
         """Offer to use a picture or light file; False for other files."""
         if not path.is_file() or not (is_light_file(path) or is_image_file(path)):
             return False
+        if not self.ask:
+            return self.take(path)
         sentence, action = (
             (tr("{name} is a file of light, not a design."), tr("Use as light source"))
             if is_light_file(path)
@@ -146,7 +151,7 @@ class ChosenFiles(QObject):
         if path is None:
             self._messages.note(tr("There is no picture on the clipboard."))
         else:
-            self._forms.choose_image(path)
+            self.use_picture(path)
 
     def _choose_image(self) -> None:
         path = self._dialogs.to_open("image", tr("Target image"), image_files())

@@ -17,6 +17,8 @@ _REFUSED = {"light": "#a40020", "dark": "#ff9a8d"}
 _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
 # Fusion's buttons that are on look like the others in the dark.
 _ON = {"light": "#b5d3ee", "dark": "#2a6296"}
+_MUTED = {"light": "#5f656d", "dark": "#a3a8b0"}  # 5:1 on both grounds
+_DASHES = {"light": "#8d939b", "dark": "#6f7680"}  # 3:1 on both grounds
 _NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
 _RAISED = {"light": "#ffffff", "dark": "#2d3138"}  # notices over something else, and
 _EDGE = {"light": "#b4bac2", "dark": "#4a505a"}  # their border
@@ -92,6 +94,11 @@ def icon(name: str, palette: QPalette) -> QIcon:
     return made
 
 
+def muted(palette: QPalette) -> QColor:
+    """Return the colour of text that says less than the one beside it."""
+    return QColor(_MUTED["dark" if is_dark(palette) else "light"])
+
+
 def restyle(widget: QWidget) -> None:
     """Apply the style sheet again after a property changed."""
     for changed in (widget, *widget.findChildren(QWidget)):
@@ -141,8 +148,7 @@ def _drawn(drawing: str, colour: QColor, size: int) -> QPixmap:
 def _colour(application: QApplication) -> None:
     # Fusion's buttons of docks vanish in the dark; these are of a grey between both grounds.
     scheme = "dark" if is_dark(application.palette()) else "light"
-    application.setStyleSheet(
-        f"""
+    sheet = f"""
         QLabel#refusal {{ color: {_REFUSED[scheme]}; }}
         *[refused="true"] QLineEdit, *[refused="true"] QComboBox {{
             border: 1px solid {_REFUSED[scheme]}; border-radius: 2px;
@@ -152,6 +158,17 @@ def _colour(application: QApplication) -> None:
             background: none;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
+        QLabel#title {{ font-size: 17px; font-weight: 600; padding: 4px 0; qproperty-indent: 0; }}
+        QLabel#muted {{ color: {_MUTED[scheme]}; }}
+        QFrame#well {{
+            background: palette(base); border: 2px dashed {_DASHES[scheme]}; border-radius: 8px;
+        }}
+        QFrame#well:hover, QFrame#well[active="true"] {{ border-color: {_HIGHLIGHT}; }}
+        QPushButton#primary:enabled {{
+            background: {_HIGHLIGHT}; color: white; border: 1px solid {_HIGHLIGHT};
+            border-radius: 4px; padding: 5px 16px;
+        }}
+        QPushButton#primary:focus {{ border-color: palette(text); }}
         QLabel#section {{ font-weight: 600; padding: 8px 8px 0 4px; }}
         QDockWidget {{
             titlebar-close-icon: url("{_icon_file("dock-close").as_posix()}");
@@ -179,4 +196,5 @@ def _colour(application: QApplication) -> None:
         QStatusBar::item {{ border: none; }}
         {_BOXES[scheme]}
         """
-    )
+    if sheet != application.styleSheet():  # else all widgets are polished anew: half a second
+        application.setStyleSheet(sheet)

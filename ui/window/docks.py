@@ -89,7 +89,7 @@ class Panes:
         if awaited != views.keys():
             wrong = sorted(awaited ^ views.keys())
             raise ValueError(f"no place, or nothing for it: {wrong}")
-        Uncovered(self._window)
+        Uncovered(self._window.window())
         for name in self._waiting:
             placeholder = self.docks[name].widget()
             self.docks[name].setWidget(views[name])
@@ -192,7 +192,9 @@ _COMPILING = later(
 class EarlyParts(QObject):
     """Makes what needs no slow library, and puts it into the window."""
 
-    def __init__(self, window: QMainWindow, document: Document, settings: QSettings) -> None:
+    def __init__(
+        self, window: QMainWindow, desk: QMainWindow, document: Document, settings: QSettings
+    ) -> None:
         super().__init__(window)
         self.document = document
         self.commands = Commands(window)
@@ -203,7 +205,7 @@ class EarlyParts(QObject):
         self.forms.message.connect(self.log.add)
         self.forms.file_refused.connect(messages.warn)
         self._refused = RefusedFields(self.forms, messages, self)
-        self.panes = Panes(window, self.forms, messages, document.undo_stack, self.log)
+        self.panes = Panes(desk, self.forms, messages, document.undo_stack, self.log)
         self.panes.name_light(document.session)
         document.session_changed.connect(self.panes.name_light)
         self.dialogs = FileDialogs(document, settings, window)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
 
-from ui.commands.table import LOCKS, NEW
+from ui.commands.table import LOCKS
 from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
 from ui.words import later, tr
@@ -19,10 +19,10 @@ _USES_LENS = ("export", "cut", "report")
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = (
-    *NEW,
     *LOCKS,
     "new",
-    "gallery",
+    "workspace_start",
+    "examples",
     "open",
     "restore_run",
     "delete_run",

@@ -5,7 +5,7 @@ import binascii
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QByteArray, QObject, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import LOOK, Commands
@@ -47,9 +47,12 @@ class Workspaces(QObject):
 
     changed = Signal(str)
 
-    def __init__(self, window: QMainWindow, panes: Panes, settings: QSettings) -> None:
-        super().__init__(window)
-        self._window, self._panes, self._settings = window, panes, settings
+    def __init__(self, desk: QMainWindow, panes: Panes, settings: QSettings) -> None:
+        super().__init__(desk)
+        self._desk, self._panes, self._settings = desk, panes, settings
+        self._unseen = True  # arranged while the desk is hidden, and not laid out yet
+        desk.installEventFilter(self)
+        window = desk.window()
         self._aspect = 1.0  # width over height of the image of light
         available = window.screen().availableSize()
         window.resize((available * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(available))
@@ -59,6 +62,7 @@ class Workspaces(QObject):
         kept = settings.value(_GEOMETRY)
         if isinstance(kept, QByteArray):
             window.restoreGeometry(kept)
+        desk.resize(window.size())
         self.name = ""
         self.choose(_FIRST)
 
@@ -77,9 +81,17 @@ class Workspaces(QObject):
     def reset(self) -> None:
         """Arrange the workspace as it is from the start; the custom one as *Design*."""
         self._settings.remove(self._key)
-        available = self._window.screen().availableSize()
-        self._window.resize(self._window.size().boundedTo(available))
+        window = self._desk.window()
+        window.resize(window.size().boundedTo(window.screen().availableSize()))
         self._arrange()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Share the space of a desk that was hidden when its panes were arranged."""
+        if event.type() == QEvent.Type.Show and self._unseen:
+            self._unseen = False
+            if self._settings.value(self._key) is None:
+                QTimer.singleShot(0, self, self._share)
+        return False
 
     def follow(self, session: "Session") -> None:
         """Arrange the panes anew where an image of another shape needs another place."""
@@ -96,11 +108,12 @@ class Workspaces(QObject):
 
     def keep(self) -> None:
         """Keep the arrangement for the next time."""
-        self._settings.setValue(_GEOMETRY, self._window.saveGeometry())
-        self._settings.setValue(self._key, self._window.saveState(_VERSION))
+        self._settings.setValue(_GEOMETRY, self._desk.window().saveGeometry())
+        if not self._unseen:
+            self._settings.setValue(self._key, self._desk.saveState(_VERSION))
 
     def to_text(self) -> str:
-        return base64.b64encode(self._window.saveState(_VERSION).data()).decode("ascii")
+        return base64.b64encode(self._desk.saveState(_VERSION).data()).decode("ascii")
 
     def restore(self, name: str, text: str) -> None:
         """Show the workspace of a file, with its arrangement."""
@@ -111,7 +124,7 @@ class Workspaces(QObject):
         if name not in (*WORKSPACES, CUSTOM):
             raise ValueError(f"there is no workspace {name!r}")
         self.choose(name)
-        if not self._window.restoreState(QByteArray(state), _VERSION):
+        if not self._desk.restoreState(QByteArray(state), _VERSION):
             raise ValueError("the layout of the docks is none of this program's")
 
     @property
@@ -132,11 +145,12 @@ class Workspaces(QObject):
             dock.show_title(self.name == CUSTOM)
         self._panes.strip.setVisible(self._workspace.strip)
         kept = self._settings.value(self._key)
-        if not (isinstance(kept, QByteArray) and self._window.restoreState(kept, _VERSION)):
+        if not (isinstance(kept, QByteArray) and self._desk.restoreState(kept, _VERSION)):
             self._arrange()
 
     def _arrange(self) -> None:
-        window, docks = self._window, self._panes.docks
+        window, docks = self._desk, self._panes.docks
+        self._unseen = not window.isVisible()
         self._panes.strip.setVisible(self._workspace.strip)
         for dock in docks.values():
             window.removeDockWidget(dock)
@@ -174,7 +188,7 @@ class Workspaces(QObject):
 
     def _share(self) -> None:
         """Give the image of light as much as it can use."""
-        window, docks, places = self._window, self._panes.docks, self._places()
+        window, docks, places = self._desk, self._panes.docks, self._places()
         width, height = window.width(), window.height()
         left = min(_FORMS, round(_FORMS_SHARE * width)) if places[_LEFT_AREA] else 0
         right = min(_RIGHT, round(_RIGHT_SHARE * width))

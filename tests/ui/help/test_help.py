@@ -1,17 +1,17 @@
-"""The manual and the tour."""
+"""The manual and the coach marks."""
 
 import re
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QTextBrowser
 
 from resources.manual_pages import pages
 from ui.commands.command_search import CommandPalette
 from ui.commands.table import COMMANDS
+from ui.dialogs.coach import MARKS, CoachMarks
 from ui.dialogs.help import Manual
-from ui.dialogs.tour import STOPS, Bubble
 
 
 @pytest.fixture
@@ -88,46 +88,44 @@ def test_words_that_no_page_has_are_stated_to_be_on_none(manual, qtbot):
 
 
 @pytest.fixture
-def bubble(window, qtbot):
+def marks(window, qtbot):
     window.commands["tour"].trigger()
-    bubble = window.findChild(Bubble)
-    qtbot.waitUntil(bubble.isVisible)
-    return bubble
+    marks = window.findChild(CoachMarks)
+    qtbot.waitUntil(marks.isVisible)
+    return marks
 
 
-def test_the_tour_is_stepped_through_by_keyboard(window, bubble, qtbot):
-    assert bubble._title.text() == STOPS[0].title
-    assert not bubble.back.isEnabled() and bubble.on.hasFocus()
-    titles = []
-    for _ in STOPS:
-        titles.append(bubble._title.text())
-        qtbot.waitUntil(bubble.on.hasFocus)
-        if len(titles) < len(STOPS):
-            qtbot.keyClick(bubble.on, Qt.Key.Key_Return)
-    assert titles == [stop.title for stop in STOPS]
-    assert bubble.on.text() == "&Done" and not bubble.end.isVisible()
-    qtbot.keyClick(bubble.on, Qt.Key.Key_Backtab)
-    assert bubble.back.hasFocus()
-    qtbot.keyClick(bubble.back, Qt.Key.Key_Space)
-    assert bubble._title.text() == STOPS[-2].title
-    bubble.on.setFocus()
-    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
-    assert bubble._title.text() == STOPS[-1].title
-    gone = []
-    bubble.destroyed.connect(lambda: gone.append(True))
-    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
+def test_coach_marks_are_gone_through_by_keyboard(window, marks, qtbot):
+    gone, titles = [], []
+    marks.destroyed.connect(lambda: gone.append(True))
+    for number in range(len(MARKS)):
+        titles.append(marks.title)
+        qtbot.waitUntil(marks.on.hasFocus)
+        assert marks.on.text() == ("&Next" if number + 1 < len(MARKS) else "&Done")
+        qtbot.keyClick(marks.on, Qt.Key.Key_Return)
+    assert titles == [title for title, _ in MARKS]
     qtbot.waitUntil(lambda: bool(gone))
-    assert window.findChild(Bubble) is None
+    assert window.findChild(CoachMarks) is None
 
 
-def test_the_tour_is_offered_once(window, settings, qtbot):
-    window.help.offer_tour(settings)
-    assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None
-    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
-    assert window.findChild(Bubble) is not None
-    window.messages.clear()
-    window.help.offer_tour(settings)
-    assert not window.messages.isVisible()
+def test_a_mark_leaves_its_place_free_and_follows_it(window, marks, qtbot):
+    form = window.panes.place("design")
+    for width in (1200, 1000):
+        window.resize(width, 700)
+        inside = QRect(form.mapTo(window, QPoint()), form.size())
+        qtbot.waitUntil(lambda inside=inside: not inside.intersects(marks.geometry()))
+        assert window.rect().contains(marks.geometry())
+    qtbot.keyClick(marks, Qt.Key.Key_Escape)
+    assert not marks.isVisible()
+
+
+def test_coach_marks_come_once_without_being_asked_for(window, settings):
+    window.start_page.begun.emit()
+    window.findChild(CoachMarks).end()
+    window.start_page.begun.emit()
+    assert window.help._marks is None
+    window.commands["tour"].trigger()
+    assert window.help._marks is not None
 
 
 def test_all_shortcuts_are_listed_and_found_by_name_or_key(window, qtbot):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from tests.ui.hands import open_example
 from workbench.analysis.derivatives import irradiance_derivative
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -62,9 +63,9 @@ def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, qtbo
 
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):
     window.document.undo_stack.setClean()
-    window.commands["new_derivative-degree3-filter3"].trigger()
+    open_example(window, "derivative-degree3-filter3")
     view = window.loaded.views.derivative
     qtbot.waitUntil(view.isVisible)
     qtbot.waitUntil(lambda: view.point.index == (4, 4), timeout=60_000)
-    window.commands["new_tophat"].trigger()
+    open_example(window, "tophat")
     assert view.isVisible()

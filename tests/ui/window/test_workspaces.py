@@ -78,13 +78,14 @@ def test_the_scene_stands_below_a_wide_image_and_beside_a_narrow_one(sized):
     window = sized(1440, 900)
     choose(window, "design")
     scene, area = window.panes.docks["scene"], Qt.DockWidgetArea
-    assert window.dockWidgetArea(scene) == area.RightDockWidgetArea
+    desk = window.pages.desk
+    assert desk.dockWidgetArea(scene) == area.RightDockWidgetArea
     path = "images[0].receiver.half_width"
     wide = with_values(window.document.session.scene, {path: [2.0, 1.0]})
     window.document.edit(wide, "a wide screen", "")
-    assert window.dockWidgetArea(scene) == area.BottomDockWidgetArea
+    assert desk.dockWidgetArea(scene) == area.BottomDockWidgetArea
     window.document.undo_stack.undo()
-    assert window.dockWidgetArea(scene) == area.RightDockWidgetArea
+    assert desk.dockWidgetArea(scene) == area.RightDockWidgetArea
 
 
 def test_what_a_hand_arranged_comes_back_and_reset_undoes_it(open_window):
@@ -218,3 +219,16 @@ def test_a_layout_of_an_earlier_program_is_left_out(open_window):
     before = shown(window)
     window._view_state.restore({"layout": "AAAA", "on": []})
     assert shown(window) == before and window.workspaces.name == "check"
+
+
+def test_a_desk_that_the_start_page_hid_at_first_has_its_usual_shares(sized, settings, qtbot):
+    window = sized(1440, 900)
+    choose(window, "design")
+    qtbot.waitUntil(lambda: share(window) >= 0.3)
+    usual = window.panes.images.size()
+    window.discard_and_close()
+    settings.clear()
+    late = sized(1440, 900)
+    late.pages.show_start()
+    late.workspaces.choose("design")
+    qtbot.waitUntil(lambda: late.panes.images.size() == usual)
