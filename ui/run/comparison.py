@@ -32,6 +32,7 @@ from workbench.pictures.comparison import Comparison
 from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import written
 from workbench.report.scene_rows import differences
+from workbench.scene.image import as_viewed
 
 
 def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
@@ -55,8 +56,8 @@ def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
     """Return a thumbnail of the irradiance of a run."""
     receiver, light = run.scene.receiver, run.result.state.irradiance
     top = full_scale(run.scene, run.target, receiver.total(light))
-    step = max(1, max(light.shape) // (2 * side))
-    image = rgb_image(to_colours(light[::step, ::step], top, colours_for(run.scene)))
+    seen, step = as_viewed(run.scene, light), max(1, max(light.shape) // (2 * side))
+    image = rgb_image(to_colours(seen[::step, ::step], top, colours_for(run.scene)))
     (r_x, r_y) = receiver.half_extent
     width, height = (round(side * r / max(r_x, r_y)) or 1 for r in (r_x, r_y))
     stretched, smooth = (

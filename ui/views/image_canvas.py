@@ -84,6 +84,11 @@ class ImageCanvas(QWidget):
         """Pixels per unit of length."""
         return -self._transform.m22()
 
+    @property
+    def rightwards(self) -> int:
+        """1 where x grows to the right, −1 where it grows to the left."""
+        return 1 if self._transform.m11() > 0 else -1
+
     def begin(self) -> Axes:
         self.figure.clear()
         self._axes, self._overlays = self.figure.add_subplot(), None

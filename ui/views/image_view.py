@@ -94,6 +94,7 @@ class ImageView(PlotView):
             self._zoom(((left + right) / 2, (bottom + top) / 2), ZOOMS[key])
         elif key in ARROWS:
             right_by, up_by = ARROWS[key]
+            right_by *= self._canvas.rightwards
             dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
             self._show_part((left + dx, right + dx, bottom + dy, top + dy))
         elif key == Qt.Key.Key_Home:

@@ -23,7 +23,7 @@ from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, suits_contours, target_irradiance
 from workbench.pictures.regions import RegionMarks
-from workbench.scene.image import inverted, pixel_side, side_in_words
+from workbench.scene.image import side_in_words, viewed_from
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -88,10 +88,7 @@ class ScreenImageView(ImageView):
 
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
         scene = session.scene
-        side = capitalised(tr(side_in_words(scene, pixel_side(scene))))
-        if not inverted(scene):
-            return side, ""
-        return tr("{side}: mirror-inverted").format(side=side), side, ""
+        return capitalised(tr(side_in_words(scene, viewed_from(scene)))), ""
 
     def _add_tool(self, icon: str, name: str, tip: str) -> QToolButton:
         tool = QToolButton()

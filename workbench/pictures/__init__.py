@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
-from workbench.scene.image import pixel_side, side_in_words
+from workbench.scene.image import side_in_words, viewed_from
 from workbench.system_libraries import keep_shaders_in_memory
 
 _SURFACE_SAMPLES = (129, 129)
@@ -37,7 +37,7 @@ def write_images(session: Session, file: BinaryIO) -> None:
     density = scene.receiver.density.capitalize()
     for axes, title in ((lit, density), (wanted, "Target"), (off, f"{density} − target")):
         axes.set_title(title, fontsize=10)
-    figure.supxlabel(side_in_words(scene, pixel_side(scene)).capitalize(), fontsize=8)
+    figure.supxlabel(side_in_words(scene, viewed_from(scene)).capitalize(), fontsize=8)
     figure.savefig(file, format="png", dpi=_DPI)
 
 

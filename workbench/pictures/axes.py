@@ -363,7 +363,7 @@ def _image(axes: "Axes", image: Any) -> list[Column]:
     n_y, n_x = values.shape
     x = left + (np.arange(n_x) + 0.5) * ((right - left) / n_x)
     y = top - (np.arange(n_y) + 0.5) * ((top - bottom) / n_y)
-    (low_x, high_x), (low_y, high_y) = axes.get_xlim(), axes.get_ylim()
+    (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), axes.get_ylim()
     across, down = (x >= low_x) & (x <= high_x), (y >= low_y) & (y <= high_y)
     x, y, values = x[across], y[down], values[np.ix_(down, across)]
     unit = without_power(axes.child_axes[0].get_ylabel())

@@ -26,6 +26,7 @@ from workbench.pictures.images import (
     target_irradiance,
 )
 from workbench.scene import Scene
+from workbench.scene.image import as_viewed
 from workbench.targets.colour import SRGB
 
 if TYPE_CHECKING:
@@ -292,7 +293,8 @@ def _block(block: SubFigure, design: "ExampleDesign") -> None:
 
 def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[float, float]) -> None:
     r_x, r_y = scene.receiver.half_extent
-    axes.imshow(image, cmap=colours, vmin=ends[0], vmax=ends[1], extent=(-r_x, r_x, -r_y, r_y))
+    seen = as_viewed(scene, image)
+    axes.imshow(seen, cmap=colours, vmin=ends[0], vmax=ends[1], extent=(-r_x, r_x, -r_y, r_y))
     axes.set_xticks([])
     axes.set_yticks([])
 

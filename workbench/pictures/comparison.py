@@ -15,6 +15,7 @@ from workbench.pictures.images import colours_for, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.powers import written
 from workbench.scene import Scene, Unit
+from workbench.scene.image import as_viewed
 from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ class Comparison:
         self._places = dict(zip((first, second), self.lights, strict=True))
         for (axes, light), title in zip(self._places.items(), self.titles, strict=True):
             image = receiver_map(axes, light.name, light.scene, colours_for(light.scene))
-            image.set_data(light.irradiance)
+            image.set_data(as_viewed(light.scene, light.irradiance))
             image.set_clim(0, top if alike else light.top)
             colour_bar(axes, image, light.unit.words, extend="max")
             _title(axes, title)
@@ -116,7 +117,7 @@ class Comparison:
             axes.text(0.5, 0.5, why, fontsize=FONT, ha=middle, va=middle, transform=at)
             return
         image = receiver_map(axes, "difference", one.scene, SIGNED)
-        image.set_data(self.difference)
+        image.set_data(as_viewed(one.scene, self.difference))
         scale = stable_scale(self.difference, 0.0)
         image.set_clim(-scale, scale)
         colour_bar(axes, image, one.unit.words, extend="both")

@@ -12,6 +12,7 @@ from workbench.messages import Message
 from workbench.pictures.axes import FONT, label_curves, set_round_ticks, set_tick_labels
 from workbench.pictures.images import colours_for, full_scale
 from workbench.scene import Scene
+from workbench.scene.image import as_viewed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,7 +43,13 @@ def draw_focus(
     colours = colours_for(scene)
     for axes, number in zip(panels, chosen, strict=False):
         image = series[number]
-        axes.imshow(image.irradiance, colours, vmin=0, vmax=top, extent=(-r_x, r_x, -r_y, r_y))
+        axes.imshow(
+            as_viewed(scene, image.irradiance),
+            colours,
+            vmin=0,
+            vmax=top,
+            extent=(-r_x, r_x, -r_y, r_y),
+        )
         axes.set_title(f"z = {image.z:.6g} {scene.unit}", fontsize=FONT)
     _draw_curves(below.subplots(), scene, series)
 

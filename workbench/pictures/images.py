@@ -31,7 +31,7 @@ from workbench.pictures.axes import (
 )
 from workbench.pictures.contours import Contours
 from workbench.scene import ImageTarget, Scene
-from workbench.scene.image import inverted
+from workbench.scene.image import as_viewed, inverted
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -129,7 +129,7 @@ class IrradianceImage(UpdatedPicture):
         """Show an image (n_y, n_x); return whether the scale changed."""
         factor = self._unit.density
         self.values = irradiance * factor
-        self._image.set_data(self.values)
+        self._image.set_data(as_viewed(self._scene, self.values))
         flux = self._scene.receiver.total(irradiance)
         top = factor * full_scale(self._scene, self._target, flux)
         rescaled = top != self._top
@@ -179,7 +179,7 @@ class ErrorImage(UpdatedPicture):
     def update(self, irradiance: Array) -> bool:
         """Show the error of an irradiance (n_y, n_x); return whether the scale changed."""
         self.values = shown_error(self._scene, self._target, irradiance)
-        self._image.set_data(self.values)
+        self._image.set_data(as_viewed(self._scene, self.values))
         scale = stable_scale(self.values, self._scale)
         if scale == self._scale:
             return False
@@ -189,8 +189,15 @@ class ErrorImage(UpdatedPicture):
 
 
 def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
-    """Return an image of zeros on the receiver's axes; see `map_image`."""
-    return map_image(axes, name, Extent.of_receiver(scene), scene.receiver.pixels, colours)
+    """Return an image of zeros on the receiver's axes, as its viewer sees them; see `map_image`.
+
+    Its data are those of the receiver's pixels `as_viewed`.
+    """
+    extent = Extent.of_receiver(scene)
+    if inverted(scene):
+        left, right, bottom, top = extent.bounds
+        extent = extent._replace(bounds=(right, left, bottom, top))
+    return map_image(axes, name, extent, scene.receiver.pixels, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:
@@ -208,7 +215,7 @@ class DerivativeImage(UpdatedPicture):
     def __init__(self, axes: "Axes", scene: Scene) -> None:
         colours = colormaps[SIGNED].with_extremes(bad=_UNAFFECTED)
         self._image = receiver_map(axes, "derivative", scene, colours)
-        self._scale = 1.0
+        self._scene, self._scale = scene, 1.0
         self._image.set_clim(-self._scale, self._scale)
         density = scene.receiver.density_words(scene.unit)
         colour_bar(axes, self._image, f"{density} per {scene.unit}", extend="neither")
@@ -220,7 +227,7 @@ class DerivativeImage(UpdatedPicture):
         if derivative is None:
             derivative = np.zeros(self._image.get_array().shape)
         self.values = derivative
-        self._image.set_data(np.ma.masked_equal(derivative, 0))
+        self._image.set_data(np.ma.masked_equal(as_viewed(self._scene, derivative), 0))
         scale = float(np.abs(derivative).max()) or 1.0
         if scale == self._scale:
             return False
@@ -236,12 +243,9 @@ class PhotoImage(UpdatedPicture):
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
         self._image = receiver_map(axes, "photo", scene, UNSIGNED[-1])
-        if inverted(scene):
-            left, right, bottom, top = self._image.get_extent()
-            self._image.set_extent((right, left, bottom, top))
         self.artists = [self._image]
 
     def update(self, colours: npt.NDArray[np.uint8]) -> bool:
-        """Show colours (n_y, n_x, 3)."""
+        """Show colours (n_y, n_x, 3), as the viewer sees them."""
         self._image.set_data(colours)
         return False

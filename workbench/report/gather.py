@@ -38,7 +38,7 @@ from workbench.report.figures import (
 )
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Element, Scene
-from workbench.scene.image import pixel_side, side_in_words, viewed_from
+from workbench.scene.image import side_in_words, viewed_from
 
 _SAMPLES = 257  # samples of maps along the longer side of the lens
 # Inches: height of a row of two panels without the panels, width of a panel, tallest row.
@@ -126,7 +126,7 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
     own = result_of(session).state.irradiance
     difference, remark = relative_l2(light, own), found.beside_run(own, scene.receiver)
     faces = [scene.face_in_words(face) for face in reversed(nets_of(scene))]
-    drawn, read = (side_in_words(scene, side(scene)) for side in (pixel_side, viewed_from))
+    viewed = side_in_words(scene, viewed_from(scene))
     yield Section(
         f"Independent check{which}",
         (
@@ -159,8 +159,7 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
             ),
         ),
         note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
-        f"red is too much light, blue too little. Images are {drawn}; the target reads right when "
-        f"{read}.",
+        f"red is too much light, blue too little. Images are {viewed}.",
     )
 
 
