@@ -149,8 +149,9 @@ def test_all_elements_of_a_train_are_drawn_in_their_places(plotter):
     picture.fit("side")  # from -x
     plotter.render()
     sight = Projection(plotter)
-    # The wall of the dome, its spherical face, and the front face of the plate on its edge.
-    for place in ((-2.4, 0, -9.6), (-np.sqrt(2.5**2 - 1.5**2), 0, -8.4), (3.0, 20, 12)):
+    # The wall of the dome, its spherical face beside an edge of the mesh, and the front face of
+    # the plate on its edge.
+    for place in ((-2.4, 0, -9.6), (-np.sqrt(2.5**2 - 1.5**2 - 0.1**2), 0.1, -8.4), (3.0, 20, 12)):
         ((x, y),) = sight.pixels(np.array([place]))
         assert sight.point(x, y) == pytest.approx(np.array(place), abs=0.3)
 
@@ -163,3 +164,31 @@ def test_rays_of_a_train_end_where_they_are_lost():
     assert 0 < beside.sum() < len(points)
     assert (points[beside, 3:] == points[beside, 2:3]).all()
     assert (points[~beside, 3, 2] > points[~beside, 2, 2]).all()
+
+
+def test_glass_hides_more_at_grazing_angles(make_scene, plotter):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((32, 32)), dark=True)
+    for actor in plotter.actors.values():
+        actor.SetVisibility(bool(actor.GetPickable()))  # without nets, axes and edges
+    sums = []
+    for degrees in (10, 80):
+        picture.fit("axis")
+        picture.camera.turn(degrees, 0)
+        plotter.set_background("black")
+        row, column = screen_pixel(plotter, (0.1, 0.2, 0.5))
+        sums.append(drawn(plotter)[row, column].astype(int).sum())
+    assert sums[1] > 1.5 * sums[0] > 0
+
+
+@pytest.mark.parametrize("lit", [False, True])
+def test_light_at_the_edge_of_a_screen_glows_beyond_it(make_scene, plotter, state, lit):
+    scene = make_scene({"screen.pixels": [8, 8]})
+    picture = LensPicture(plotter, scene, np.ones((8, 8)), dark=True)
+    picture.fit("axis")
+    plotter.set_background("black")
+    surface, paths, dark = state(scene, rays=(1, 1))
+    picture.update(surface, paths, target_irradiance(scene, np.ones((8, 8))) if lit else dark)
+    r_x, r_y = scene.receiver.half_width
+    row, column = screen_pixel(plotter, (1.04 * r_x, 0.5 * r_y, scene.receiver.z))
+    assert (drawn(plotter)[row, column].sum() > 20) == lit

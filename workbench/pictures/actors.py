@@ -17,12 +17,15 @@ from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import power_of, with_power
 from workbench.scene import AnyReceiver, Element, WantedImage
 
-_COLOURS, _LABELS = 256, 5
+_COLOURS, _LABELS = 256, 3
 # Position and size, in parts of the picture.
-_PLACE, _WIDTH, _HEIGHT = (0.3, 0.02), 0.4, 0.1
+_PLACE, _WIDTH, _HEIGHT = (0.35, 0.02), 0.3, 0.09
+_BAR, _APART = 0.2, 4  # thickness, in parts of the height; pixels between title and labels
 _FONT = 12
 _FONT_FILE = findfont("DejaVu Sans")  # VTK's own fonts lack superscripts: 10⁻⁶ reads 10
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
+_GLOW_PARTS = 13  # of each edge of a receiver
+_GLOW = {1.0: 0.45, 1.06: 0.2, 1.15: 0.06, 1.3: 0.0}  # opacity by parts of a receiver's extents
 
 
 class PointMarkers:
@@ -75,6 +78,8 @@ class ColourScale:
         self._bar.SetPosition(*_PLACE)
         self._bar.SetWidth(_WIDTH)
         self._bar.SetHeight(_HEIGHT)
+        self._bar.SetBarRatio(_BAR)
+        self._bar.SetVerticalTitleSeparation(_APART)
         self._texts = self._bar.GetTitleTextProperty(), self._bar.GetLabelTextProperty()
         for text in self._texts:
             text.SetFontFamily(VTK_FONT_FILE)
@@ -112,6 +117,8 @@ class ColourScale:
 class LitReceiver:
     """A receiver in the 3D view, textured with its irradiance, with a ``frame`` around it.
 
+    Light at its edges glows beyond them.
+
     ``add`` is `LensPicture._add`.
     """
 
@@ -131,7 +138,11 @@ class LitReceiver:
         self._texture = pv.Texture()
         self._texture.SetInputDataObject(self._texels)
         n_x, n_y = receiver.pixels
+        rings = [meshes.rim(_outline(receiver, optic, fraction)) for fraction in _GLOW]
+        around = len(rings[0])
+        self._glow = pv.PolyData(np.concatenate(rings), faces=meshes.quads(len(rings), around))
         self.paint(np.zeros((n_y, n_x)))
+        add(self._glow, scalars="colour", rgba=True, lighting=False)
         add(plane, body=True, texture=self._texture, lighting=False)
         # Slightly larger than the plane, which would hide parts of the frame.
         around = meshes.rim(receiver.outline(optic, 1.004))
@@ -145,8 +156,31 @@ class LitReceiver:
         shown = irradiance[tuple(thin)]
         scene = self._wanted.scene
         top = full_scale(scene, self._wanted.target, scene.receiver.total(irradiance))
-        texels = to_colours(shown, top, colours or colours_for(scene))[::-1]
+        colours = colours or colours_for(scene)
+        texels = to_colours(shown, top, colours)[::-1]
+        edge = meshes.rim(_means(shown[::-1].T)[..., None])[None, :, 0]
+        glow = np.empty((len(_GLOW), edge.size, 4), dtype=np.uint8)
+        glow[..., :3] = to_colours(edge, top, colours)
+        opacity = np.array(list(_GLOW.values()))[:, None]
+        glow[..., 3] = 255 * opacity * np.clip(edge / top, 0, 1)
+        self._glow.point_data["colour"] = glow.reshape(-1, 4)
         self._texels.dimensions = (texels.shape[1], texels.shape[0], 1)
         self._texels.point_data["colour"] = texels.reshape(-1, 3)
         self._texels.point_data.active_scalars_name = "colour"
         self._texels.Modified()
+
+
+def _outline(receiver: AnyReceiver, optic: Element, fraction: float) -> Array:
+    steps = fraction * np.linspace(-1, 1, _GLOW_PARTS)
+    (u, v), (r_u, r_v) = receiver.middle, receiver.half_extent
+    return receiver.drawn(optic, u + r_u * steps[:, None], v + r_v * steps)
+
+
+def _means(image: Array) -> Array:
+    """Means of blocks of an image, `_GLOW_PARTS` along each axis."""
+    for axis in (0, 1):
+        first = np.arange(_GLOW_PARTS) * image.shape[axis] // _GLOW_PARTS
+        sizes = np.diff(np.append(first, image.shape[axis])).clip(1)
+        sums = np.add.reduceat(image, first, axis=axis)
+        image = sums / (sizes[:, None] if axis == 0 else sizes)
+    return image

@@ -17,22 +17,45 @@ from workbench.scene import Element, Scene
 Style = Mapping[str, Any]
 Add = Callable[..., Any]
 
+_NONE: meshes.Cells = np.zeros(0, dtype=np.int64)
 _NET_FIELDS = 8
 _BASE_SAMPLES = 33  # per axis, of the base shown until the first update
 _SAMPLES = 49  # per axis, of each fixed face
 # By `Element.called`; other kinds look like glass.
 _BODIES: Mapping[str, Style] = {
-    "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
-    "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
+    "lens": {"color": "#8fc1e8", "opacity": 0.07, "ambient": 0.3},
+    "mirror": {"color": "#59616d", "opacity": 1.0, "ambient": 0.3},
 }
 _FACES: Mapping[str, Style] = {
-    "lens": {"color": "#8fc1e8", "opacity": 0.88, "ambient": 0.05, "specular": 0.5},
-    "mirror": {"color": "#c3c8cf", "opacity": 1.0, "ambient": 0.4, "specular": 1.0},
+    "lens": {"color": "#8fc1e8", "opacity": 0.16, "ambient": 0.05, "specular": 0.5},
+    "mirror": {"color": "#aab2bd", "opacity": 1.0, "ambient": 0.3, "specular": 0.6},
 }
+_COLOURED = 0.92, 0.2  # opacity and gloss of faces whose colours are values
+# Schlick's approximation of the Fresnel reflectance, and lamps in rows that show a low relief.
+_REFLECTION = """//VTK::Light::Impl
+  vec3 toEye = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
+  vec3 mirrored = reflect(-toEye, normalVCVSOutput);
+  float grazing = pow(1.0 - abs(dot(normalVCVSOutput, toEye)), 3.0);
+  float lamps = 0.5 + 0.5 * sin(14.0 * (mirrored.y + 0.5 * mirrored.x));
+  float reflected = gloss * min(0.75 * grazing + 0.22 * lamps * lamps, 1.0);
+  fragOutput0.rgb = mix(fragOutput0.rgb, vec3(0.80, 0.91, 1.0), reflected);
+  fragOutput0.a = mix(opacity, 1.0, reflected);
+"""
 
 
 def _style_of(styles: Mapping[str, Style], element: Element) -> Style:
     return styles.get(element.called, styles["lens"])
+
+
+def _add_body(add: Add, mesh: pv.PolyData, **style: Any) -> Any:
+    """Add a part of an element, which reflects more at grazing angles, as glass and metal do."""
+    actor = add(mesh, body=True, **style)
+    if mesh.point_data.active_normals is not None:
+        actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
+    shader = actor.GetShaderProperty()
+    shader.AddFragmentShaderReplacement("//VTK::Light::Impl", True, _REFLECTION, False)
+    shader.GetFragmentCustomUniforms().SetUniformf("gloss", 1.0)
+    return actor
 
 
 class DesignedElement:
@@ -50,24 +73,23 @@ class DesignedElement:
         self._front_z: Array | None = None
         self._samples = (0, 0)
         body, style = _style_of(_BODIES, optic), dict(_style_of(_FACES, optic))
-        self._material = style.pop("color")
+        self._material, self._opacity = style.pop("color"), style["opacity"]
+        self._shaped = list[Any]()
         side = np.linspace(-1, 1, _BASE_SAMPLES)
         x, y = outline_of(optic).from_square(side[:, None], side)
         base = {face: np.stack([x, y, optic.place_of(face, x, y)], axis=-1) for face in nets}
         self.place(base, "material", 1.0, exaggerated=False)
-        actors = [add(self._walls, body=True, **body)]
+        actors = [_add_body(add, self._walls, **body)]
         if self._curved_front:
-            actors.append(add(self._front, body=True, **body))
-            actors[-1].prop.interpolation = "Phong"
+            actors.append(_add_body(add, self._front, **body))
         for face, net in self._faces.values():
             shaded = {"diffuse": 0.9, "specular_power": 30, **style}
-            actor = add(face, body=True, scalars="colour", rgb=True, **shaded)
+            actor = _add_body(add, face, scalars="colour", rgb=True, **shaded)
             actor.prop.color = self._material
-            actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
-            self.lines.append(add(net, line_width=1.0, opacity=0.4, lighting=False))
-            actors.append(actor)
+            self.lines.append(add(net, line_width=1.0, opacity=0.25, lighting=False))
+            self._shaped.append(actor)
         self.lines.append(add(self._edges, line_width=1.5, lighting=False))
-        for actor in [*actors, *self.lines]:
+        for actor in [*actors, *self._shaped, *self.lines]:
             actor.user_matrix = _place_of(optic)
 
     @property
@@ -92,15 +114,19 @@ class DesignedElement:
             if anew:
                 mesh.faces = meshes.quads(m_u, m_v)
                 net.lines = meshes.net_lines(m_u, m_v, _NET_FIELDS)
-                net.verts = np.zeros(0, dtype=np.int64)
+                mesh.verts = net.verts = _NONE
             mesh.point_data["colour"] = face_colours(surfaces[face], by, self._material, top)
             mesh.point_data.active_normals = lit_normals(surfaces[face], exaggerated)
+        for actor in self._shaped:
+            look = (self._opacity, 1.0) if by == "material" else _COLOURED
+            actor.prop.opacity = look[0]
+            actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformf("gloss", look[1])
         if anew:
             straight, flat = outline_of(optic).whole, len(self._faces) == 1
             flat = flat and not self._curved_front
             self._walls.faces = meshes.wall_faces(m_u, m_v, straight, flat=flat)
             self._edges.lines = meshes.wall_lines(m_u, m_v, straight, flat=flat)
-            self._edges.verts = np.zeros(0, dtype=np.int64)
+            self._walls.verts = self._edges.verts = _NONE
 
     def _place_front(self, m_u: int, m_v: int) -> None:
         front, *others = self.optic.placed_faces
@@ -110,6 +136,7 @@ class DesignedElement:
         points = face_points(self.optic.straightened, front, u, v, {})
         self._front_z = points[..., 2]
         self._front.points = points.reshape(-1, 3)
+        self._front.verts = _NONE
         self._front.faces = meshes.quads(m_u, m_v)
         self._front.point_data.active_normals = meshes.normals(points)
 
@@ -139,12 +166,11 @@ def _add_fixed(add: Add, element: Element) -> Any:
     for face in (front, back):
         surface = pv.PolyData(face.reshape(-1, 3), faces=meshes.quads(_SAMPLES, _SAMPLES))
         surface.point_data.active_normals = meshes.normals(face)
-        actor = add(surface, body=True, **style)
-        actor.prop.interpolation = "Phong"
+        _add_body(add, surface, **style)
     rims = np.stack([meshes.rim(face) for face in (front, back)])
     count = rims.shape[1]
     walls = pv.PolyData(rims.reshape(-1, 3), faces=meshes.quads(2, count))
-    add(walls, body=True, **style)
+    _add_body(add, walls, **style)
     index = np.arange(2 * count).reshape(2, count)
     lines = [index[0], index[1]]
     if outline_of(element).whole:

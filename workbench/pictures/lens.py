@@ -47,7 +47,7 @@ _GROUND = {
 _ARRIVING = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
 _WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
-_FADING = 0.35  # opacity of the ends of a ray, relative to its middle
+_FADING = 0.05, 0.12  # opacity of the start and the end of a ray, relative to its middle
 _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
@@ -263,7 +263,7 @@ class LensPicture:
         colours[:, 3] = ink * np.where(self._arriving, 0.25 + 0.75 * self._weight, 0.5)
         # Fading ends leave image and source visible.
         along = np.repeat(colours[:, None], self._rays.n_points // len(colours), axis=1)
-        along[:, [0, -1], 3] = _FADING * along[:, [0, -1], 3]
+        along[:, [0, -1], 3] = np.multiply(_FADING, along[:, [0, -1], 3])
         self._rays.point_data["colour"] = along.reshape(-1, 4)
 
     def _add_axes(self) -> None:
