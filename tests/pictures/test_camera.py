@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.pictures.camera import FittedCamera
+from workbench.pictures.compass import Compass
 from workbench.pictures.projection import Projection
 
 
@@ -93,3 +94,43 @@ def test_a_mirror_is_seen_from_its_reflecting_side(plotter, make_scene):
         assert plotter.camera.direction[2] > 0.1  # it looks towards +z, as the light comes
         lens.fit(view)
         assert plotter.camera.direction[2] < -0.1
+
+
+def test_a_flight_begins_and_ends_at_its_views_and_turns_at_one_speed(camera, plotter):
+    start = camera.state()
+    camera.fit("+x")
+    end = camera.state()
+
+    def toward(part):
+        camera.fly(start, end, part)
+        away = np.subtract(plotter.camera.position, plotter.camera.focal_point)
+        return away / np.linalg.norm(away)
+
+    np.testing.assert_allclose(toward(0.0), [0, 0, 1], atol=1e-9)
+    np.testing.assert_allclose(toward(0.5), [0.5**0.5, 0, 0.5**0.5], atol=1e-9)
+    assert not camera.untouched
+    np.testing.assert_allclose(toward(1.0), [1, 0, 0], atol=1e-9)
+    assert camera.untouched and camera.state() == end
+
+
+@pytest.mark.parametrize("name", ["+x", "-x", "+y", "-y", "+z", "-z"])
+def test_each_ball_of_the_compass_leads_to_its_view(camera, plotter, name):
+    before = plotter.ren_win.GetRenderers().GetNumberOfItems()
+    compass = Compass(plotter)
+    camera.turn(33, 21)
+    plotter.render()
+    width, height = plotter.window_size
+    found = {
+        compass.pick(x, y)
+        for x in range(width - 80, width, 2)
+        for y in range(height - 80, height, 2)
+    }
+    assert found == {"", "+x", "-x", "+y", "-y", "+z", "-z"}
+    assert compass.pick(width / 2, height / 2) == ""
+    camera.fit(name)
+    axis = "xyz".index(name[1])
+    plotter.render()
+    assert np.sign(plotter.camera.direction[axis]) == (-1 if name[0] == "+" else 1)
+    assert compass.pick(width - 38, height - 38) == name  # its ball is in front
+    compass.close()
+    assert plotter.ren_win.GetRenderers().GetNumberOfItems() == before

@@ -84,6 +84,12 @@ def qtbot(qtbot):
     return qtbot
 
 
+@pytest.fixture(autouse=True)
+def camera_without_flights(monkeypatch):
+    """The camera of the 3D view is at once where it was sent."""
+    monkeypatch.setattr("ui.views.scene_view.flight_ms", lambda view: 0)
+
+
 @pytest.fixture
 def display(qapp):
     """A display that OpenGL widgets can draw on."""

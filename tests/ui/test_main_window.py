@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMessageBox
 
 from resources import EXAMPLES
@@ -290,3 +290,33 @@ def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
         np.testing.assert_allclose(camera.direction, direction, atol=1e-12)
     built.commands["fit_view"].trigger()
     np.testing.assert_allclose(camera.direction, before, atol=1e-12)
+
+
+def test_a_click_on_the_compass_turns_the_camera_and_a_press_stops_it(built, qtbot, monkeypatch):
+    view = built.loaded.views.scene
+    qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
+    plotter, picture = view._plotter, view._contents.picture
+    plotter.repaint()
+    scale, side = plotter.devicePixelRatioF(), view._compass.side
+    middle = QPoint(round(plotter.width() - side / 2 / scale), round(side / 2 / scale))
+
+    def ball():  # of +y, which is above the middle in this view
+        return middle - QPoint(0, round(side / 2 / 1.35 / scale))
+
+    view.fit("+z")
+    plotter.repaint()
+    qtbot.mouseClick(plotter, Qt.MouseButton.LeftButton, pos=ball())
+    np.testing.assert_allclose(plotter.camera.direction, (0, -1, 0), atol=1e-12)
+    assert picture.fitted
+    monkeypatch.setattr("ui.views.scene_view.flight_ms", lambda view: 10_000)
+    view.fit("+z")
+    assert plotter.camera.direction[2] > -0.9  # on its way
+    qtbot.mouseClick(plotter, Qt.MouseButton.MiddleButton, pos=QPoint(30, 30))
+    stopped = plotter.camera.direction
+    assert not picture.fitted
+    qtbot.wait(50)
+    assert plotter.camera.direction == stopped
+    view.fit("+z")
+    built.resize(built.width() - 40, built.height())  # lands at once, fitted to the new size
+    qtbot.waitUntil(lambda: picture.fitted)
+    np.testing.assert_allclose(plotter.camera.direction, (0, 0, -1), atol=1e-12)

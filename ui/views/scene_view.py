@@ -9,6 +9,8 @@
    be called from the window's closeEvent.
 5. The view is a native window. Otherwise OpenGL composes the whole window: 13 ms for each paint.
 6. The plotter gets the events that no tool uses. Tools request drawing by `_ask`.
+7. The camera flies to a view as long as the style animates its widgets: not at all where the system
+   asks for less motion. A press, a key or the wheel stops it on its way.
 """
 
 import math
@@ -16,14 +18,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QSizePolicy
+from PySide6.QtCore import QEasingCurve, QEvent, QObject, Qt, QVariantAnimation, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
 
 from ui.document.frame import same_task
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
-from ui.views.tools import Pointer, Tool, ToolInput, steer
+from ui.views.tools import Pointer, Tool, ToolInput, pointer_at, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
@@ -35,10 +37,13 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
+    from workbench.pictures.camera import CameraState
+    from workbench.pictures.compass import Compass
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Element, Scene, Source
 
+_STOPS = QEvent.Type.MouseButtonPress, QEvent.Type.Wheel
 _NOTCH = 1.2  # times as large, by a notch of the wheel
 _FAR = 0.25  # in parts of what all objects span
 
@@ -54,6 +59,11 @@ class SceneView(View):
         self._shared.changed.connect(self._follow_options)
         make_native(self)
         self._plotter: Any = None
+        self._compass: Compass | None = None
+        self._flight = QVariantAnimation(self, startValue=0.0, endValue=1.0)
+        self._flight.setEasingCurve(QEasingCurve.Type.InOutQuad)
+        self._flight.valueChanged.connect(self._fly)
+        self._way: tuple[CameraState, CameraState] | None = None
         self._contents = SceneContents(self)
         self.nets = self._contents.nets
         self.nets.changed.connect(self._ask)
@@ -153,6 +163,7 @@ class SceneView(View):
         """Where the camera stands, as plain data; None before the first drawing."""
         picture = self._contents.picture
         if self._placement is None and picture is not None:
+            self._land()
             return picture.camera.placement()
         return self._placement
 
@@ -182,8 +193,23 @@ class SceneView(View):
         if picture is not None:
             picture.camera.hidden = self._pixels_of_hint()
             picture.camera.choose(self.nets.face)
+            before = picture.camera.state()
             picture.fit(view)
             self._plotter.update()
+            self._way = before, picture.camera.state()
+            self._flight.stop()
+            self._flight.setDuration(flight_ms(self) if self.isVisible() else 0)
+            self._flight.start()
+
+    def _fly(self, part: float) -> None:
+        picture = self._contents.picture
+        if picture is not None and self._way is not None:
+            picture.camera.fly(*self._way, part)
+            self._plotter.update()
+
+    def _land(self) -> None:
+        if self._flight.state() is QVariantAnimation.State.Running:
+            self._flight.setCurrentTime(self._flight.duration())
 
     def _pixels_of_hint(self) -> int:
         height = self._hint.height() if self._hint.isVisible() else 0
@@ -192,14 +218,18 @@ class SceneView(View):
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
+        self._flight.stop()
         self._contents.close()
-        if self._plotter is not None:
+        if self._plotter is not None and self._compass is not None:
+            self._compass.close()
+            self._compass = None
             self._plotter.close()
             self._plotter.deleteLater()
             self._plotter = None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._land()
         picture = self._contents.picture
         if picture is not None and picture.fitted:
             picture.camera.hidden = self._pixels_of_hint()
@@ -212,10 +242,26 @@ class SceneView(View):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         plotter = self._plotter
-        kept = plotter is not None and self._tool_input.keeps(plotter, event)
+        if isinstance(event, QMouseEvent | QWheelEvent) and event.type() in _STOPS:
+            self._flight.stop()
+        kept = plotter is not None and (
+            self._turn_by_compass(event) or self._tool_input.keeps(plotter, event)
+        )
         return kept or super().eventFilter(watched, event)
 
+    def _turn_by_compass(self, event: QEvent) -> bool:
+        if self._compass is None or not isinstance(event, QMouseEvent):
+            return False
+        if event.type() != _STOPS[0] or event.button() is not Qt.MouseButton.LeftButton:
+            return False
+        at = pointer_at(self._plotter, event)
+        view = self._compass.pick(at.x, at.y)
+        if view:
+            self.fit(view)
+        return bool(view)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        self._flight.stop()
         picture = self._contents.picture
         if picture is not None and steer(picture.camera, event):
             self._plotter.update()
@@ -270,8 +316,11 @@ class SceneView(View):
     def _open_plotter(self) -> None:
         from pyvistaqt import QtInteractor
 
+        from workbench.pictures.compass import Compass
+
         self._plotter = QtInteractor(self, auto_update=False)
         self._plotter.ren_win.SetMultiSamples(0)
+        self._compass = Compass(self._plotter)
         self._plotter.setAcceptDrops(False)  # files dropped here are for the window
         self._plotter.installEventFilter(self)
         self._show_cursor()
@@ -287,6 +336,7 @@ class SceneView(View):
             self._plotter.setCursor(self._tool.cursor)
 
     def _begin(self, session: "Session") -> None:
+        self._land()
         space, former = self._space(session.scene), self._contents.picture
         least = 0.0 if former is None or former.fitted else _FAR
         moved = self._held is None or _moved(self._held, space) > least
@@ -303,6 +353,11 @@ class SceneView(View):
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())
+
+
+def flight_ms(view: SceneView) -> int:
+    """How long the camera flies to another view: as the style animates; 0 for not at all."""
+    return view.style().styleHint(QStyle.StyleHint.SH_Widget_Animation_Duration, None, view)
 
 
 def _moved(before: Array, after: Array) -> float:

@@ -177,7 +177,7 @@ class ToolInput(QObject):
         return False
 
     def _use(self, tool: Tool, plotter: QWidget, event: QMouseEvent) -> bool:
-        kind, at = event.type(), _pointer(plotter, event)
+        kind, at = event.type(), pointer_at(plotter, event)
         if kind == QEvent.Type.MouseButtonPress and event.button() is _LEFT:
             self._let_go()  # of a key
             self._works = tool.press(at)
@@ -230,7 +230,7 @@ class ToolInput(QObject):
             moved = (event.position() - self._pressed_at).manhattanLength()
             self._pressed_at = None
             if moved < QApplication.startDragDistance():
-                self.clicked.emit(_pointer(plotter, event))
+                self.clicked.emit(pointer_at(plotter, event))
         return False
 
     def _turn_wheel(self, plotter: QWidget, event: QWheelEvent) -> None:
@@ -238,7 +238,7 @@ class ToolInput(QObject):
         if self._tool is not None and event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             self._tool.turn_wheel(round(notches))
         else:
-            self.wheeled.emit(_pointer(plotter, event), notches)
+            self.wheeled.emit(pointer_at(plotter, event), notches)
 
     def _escape(self) -> bool:
         if self._works:
@@ -250,7 +250,8 @@ class ToolInput(QObject):
         return False
 
 
-def _pointer(plotter: QWidget, event: QMouseEvent | QWheelEvent) -> Pointer:
+def pointer_at(plotter: QWidget, event: QMouseEvent | QWheelEvent) -> Pointer:
+    """Where the mouse is on a plotter, in its pixels from the lower left."""
     scale, place, keys = plotter.devicePixelRatioF(), event.position(), event.modifiers()
     return Pointer(
         x=place.x() * scale,

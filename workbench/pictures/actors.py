@@ -139,8 +139,8 @@ class LitReceiver:
         self._texture.SetInputDataObject(self._texels)
         n_x, n_y = receiver.pixels
         rings = [meshes.rim(_outline(receiver, optic, fraction)) for fraction in _GLOW]
-        around = len(rings[0])
-        self._glow = pv.PolyData(np.concatenate(rings), faces=meshes.quads(len(rings), around))
+        faces = meshes.quads(len(rings), len(rings[0]))
+        self._glow = pv.PolyData(np.concatenate(rings), faces=faces)
         self.paint(np.zeros((n_y, n_x)))
         add(self._glow, scalars="colour", rgba=True, lighting=False)
         add(plane, body=True, texture=self._texture, lighting=False)

@@ -8,6 +8,7 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation, Slerp
 
 from workbench.arrays import Array
 from workbench.geometry.face_grids import element_sides
@@ -18,8 +19,17 @@ VIEWS = {
     "top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
     "axis": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
     "screen": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),  # the screen is drawn in front of the lens
+    "+x": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "+y": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
+    "+z": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
+    "-x": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "-y": ((0.0, -1.0, 0.0), (-1.0, 0.0, 0.0)),
+    "-z": ((0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),
 }
 """Directions towards the camera and up, by name of the view."""
+
+CameraState = tuple[Any, Any, Any, float]
+"""Position, focal point, direction up (3,), and parallel scale."""
 
 _UP = (0.0, 1.0, 0.0)
 _POSITIONS = ("position", "focal_point", "up")
@@ -58,9 +68,9 @@ class FittedCamera:
     def fit(self, view: str) -> None:
         """Turn the camera to a view and fit its corners into the window.
 
-        "side", "top" and "axis" show everything. "lens" and "screen" show one of the two from a
-        side where the other does not hide it, "entrance" shows the lens from the source. Other
-        names give the three-quarter view.
+        "side", "top", "axis" and the signed axes show everything. "lens" and "screen" show one of
+        the two from a side where the other does not hide it, "entrance" shows the lens from the
+        source. Other names give the three-quarter view.
         """
         self.view = view
         corners = self._corners(view)
@@ -82,7 +92,7 @@ class FittedCamera:
         camera.parallel_scale = scale
         # In perspective the nearest object has to fit.
         self._set_position(toward, nearer=float(half[2]))
-        self._fitted_state = self._state()
+        self._fitted_state = self.state()
 
     def project(self, perspective: bool) -> None:
         """Change the projection; objects at the focal point keep their size."""
@@ -94,7 +104,7 @@ class FittedCamera:
             camera.parallel_scale = camera.distance * _half_height(camera)
         self._set_position(-np.array(camera.direction))
         if untouched:
-            self._fitted_state = self._state()
+            self._fitted_state = self.state()
 
     def turn(self, right: float, up: float) -> None:
         """Turn about the focal point by degrees to the right and up."""
@@ -139,7 +149,7 @@ class FittedCamera:
             return _on_receiver(self._scene)
         optics = self._scene.optics
         drawn = [_on_optic(optic, self.tops[optic.name]) for optic in optics]
-        return np.concatenate([scene_corners(self._scene), *drawn, axes_of(optics[0])])
+        return np.concatenate([scene_corners(self._scene), *drawn])
 
     def _oblique(self, view: str) -> Array:
         onwards = self.optic.onwards
@@ -194,14 +204,29 @@ class FittedCamera:
         camera.parallel_scale = placement["scale"]
         self._plotter.renderer.ResetCameraClippingRange()
 
+    def state(self) -> CameraState:
+        """Return where the camera is."""
+        camera = self._plotter.camera
+        return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+
+    def fly(self, start: CameraState, end: CameraState, part: float) -> None:
+        """Move the camera to a part, from 0 to 1, of the way between two states."""
+        if part < 1:
+            (turned,) = Slerp([0, 1], Rotation.from_matrix([_frame(start), _frame(end)]))([part])
+            right_up_toward = turned.as_matrix()
+            lengths = [math.dist(position, focal) for position, focal, *_ in (start, end)]
+            focal = (1 - part) * np.array(start[1]) + part * np.array(end[1])
+            distance = (1 - part) * lengths[0] + part * lengths[1]
+            position = focal + distance * right_up_toward[:, 2]
+            end = position, focal, right_up_toward[:, 1], start[3] ** (1 - part) * end[3] ** part
+        camera = self._plotter.camera
+        camera.position, camera.focal_point, camera.up, camera.parallel_scale = end
+        self._plotter.renderer.ResetCameraClippingRange()
+
     @property
     def untouched(self) -> bool:
         """Whether the camera is where the last `fit` put it."""
-        return self._fitted_state == self._state()
-
-    def _state(self) -> tuple[object, ...]:
-        camera = self._plotter.camera
-        return camera.position, camera.focal_point, camera.up, camera.parallel_scale
+        return self._fitted_state == self.state()
 
 
 def check_placement(placement: dict[str, Any]) -> None:
@@ -220,6 +245,15 @@ def check_placement(placement: dict[str, Any]) -> None:
         raise ValueError("three finite numbers are needed for each place")
     if not (scale > 0 and np.cross(position - focal_point, up).any()):
         raise ValueError("there is no direction to look into")
+
+
+def _frame(state: CameraState) -> Array:
+    """Matrix (3, 3) whose columns are the directions right, up and towards the camera."""
+    toward = np.subtract(state[0], state[1])
+    toward /= np.linalg.norm(toward)
+    right = np.cross(state[2], toward)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(toward, right), toward], axis=1)
 
 
 def _half_height(camera: Any) -> float:
@@ -285,13 +319,6 @@ def _direction(azimuth: float, elevation: float, along: int) -> Array:
             along * math.cos(azimuth) * math.cos(elevation),
         ]
     )
-
-
-def axes_of(optic: Element) -> Array:
-    """Return the origin of the drawn axes and the positions of their labels, (4, 3)."""
-    length, (r_x, r_y) = 0.5 * max(optic.half_width), optic.half_width
-    origin = np.array([-1.1 * r_x, -1.1 * r_y, optic.lowest - length])
-    return np.asarray(origin + np.concatenate([np.zeros((1, 3)), 1.25 * length * np.eye(3)]))
 
 
 def _corners(half_width: tuple[float, float], *heights: float) -> Array:

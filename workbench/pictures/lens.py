@@ -20,12 +20,11 @@ import numpy as np
 import numpy.typing as npt
 import pyvista as pv
 from matplotlib import colormaps
-from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.arrays import Array
 from workbench.pictures import meshes
 from workbench.pictures.actors import ColourScale, LitReceiver
-from workbench.pictures.camera import FittedCamera, axes_of, drawn_start_z, source_in_view
+from workbench.pictures.camera import FittedCamera, drawn_start_z, source_in_view
 from workbench.pictures.compressed import compress_distances, compress_paths
 from workbench.pictures.elements import DesignedElement, add_fixed_elements
 from workbench.pictures.surface import (
@@ -48,7 +47,6 @@ _ARRIVING = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches 
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
 _WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
 _FADING = 0.05, 0.12  # opacity of the start and the end of a ray, relative to its middle
-_AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
 class LensPicture:
@@ -88,7 +86,7 @@ class LensPicture:
         self._lines += add_fixed_elements(self._add, self._scene)
         self._add_receivers(target)
         self._add_source()
-        self._add_axes()
+        self._add_axis()
         self._rays = pv.PolyData(np.zeros((4, 3)), lines=[4, 0, 1, 2, 3])
         self._rays.point_data["colour"] = np.zeros((4, 4), dtype=np.uint8)
         self._arriving = np.zeros(1, dtype=bool)
@@ -266,20 +264,7 @@ class LensPicture:
         along[:, [0, -1], 3] = np.multiply(_FADING, along[:, [0, -1], 3])
         self._rays.point_data["colour"] = along.reshape(-1, 4)
 
-    def _add_axes(self) -> None:
-        origin, *places = axes_of(self._scene.optics[0])
-        for place, (name, colour) in zip(places, _AXES, strict=True):
-            arm = pv.Line(origin, origin + 0.8 * (place - origin))
-            self._add(arm, color=colour, line_width=2.5, lighting=False)
-            label = vtkBillboardTextActor3D()
-            label.SetInput(name)
-            label.SetPosition(*place)
-            text = label.GetTextProperty()
-            text.SetColor(pv.Color(colour).float_rgb)
-            text.SetFontSize(16)
-            text.SetJustificationToCentered()
-            text.SetVerticalJustificationToCentered()
-            self._plotter.add_actor(label, reset_camera=False, render=False)
+    def _add_axis(self) -> None:
         optical = pv.lines_from_points(_axis(self._scene))
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))
 
