@@ -775,6 +775,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>M&amp;easure</source>
+            <translation>M&amp;essen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Click two points on lens or screen for their distance</source>
+            <translation>Zwei Punkte auf Linse oder Schirm anklicken: ihr Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Click two points on mirror or screen for their distance</source>
+            <translation>Zwei Punkte auf Spiegel oder Schirm anklicken: ihr Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Mark &amp;regions</source>
             <translation>Ausschnitte mark&amp;ieren</translation>
         </message>
@@ -1922,6 +1937,21 @@
             <location filename="../../ui/lens/brush_tools.py" />
             <source>All control points under the brush are locked. Unlock some first.</source>
             <translation>Alle Kontrollpunkte im Pinsel sind gesperrt; zuerst einige freigeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Switch off View &gt; Compress distances first, then measure.</source>
+            <translation>Zuerst Ansicht &gt; Abstände stauchen ausschalten, dann messen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Click two points on lens or screen, or drag from one to the other.</source>
+            <translation>Zwei Punkte auf Linse oder Schirm anklicken oder vom einen zum anderen ziehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Distance {length} {unit}: x {x}, y {y}, z {z}</source>
+            <translation>Abstand {length} {unit}: x {x}, y {y}, z {z}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />

@@ -775,6 +775,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>M&amp;easure</source>
+            <translation>&amp;Mesurer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Click two points on lens or screen for their distance</source>
+            <translation>Cliquer deux points sur la lentille ou l'écran : leur distance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Click two points on mirror or screen for their distance</source>
+            <translation>Cliquer deux points sur le miroir ou l'écran : leur distance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Mark &amp;regions</source>
             <translation>Marquer les &amp;régions</translation>
         </message>
@@ -1922,6 +1937,21 @@
             <location filename="../../ui/lens/brush_tools.py" />
             <source>All control points under the brush are locked. Unlock some first.</source>
             <translation>Tous les points de contrôle du pinceau sont verrouillés ; en libérer d'abord.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Switch off View &gt; Compress distances first, then measure.</source>
+            <translation>Désactivez d'abord Affichage &gt; Comprimer les distances, puis mesurez.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Click two points on lens or screen, or drag from one to the other.</source>
+            <translation>Cliquez deux points sur la lentille ou l'écran, ou tirez de l'un à l'autre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/measure.py" />
+            <source>Distance {length} {unit}: x {x}, y {y}, z {z}</source>
+            <translation>Distance {length} {unit} : x {x}, y {y}, z {z}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />

@@ -16,7 +16,17 @@ from workbench.scene.paths import with_values
 from workbench.targets import load_target
 
 ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
-ICONS += ["follow", "turn", "sculpt", "lock", "move-source", "region", "cut-line", "logarithmic"]
+ICONS += [
+    "follow",
+    "turn",
+    "sculpt",
+    "lock",
+    "move-source",
+    "measure",
+    "region",
+    "cut-line",
+    "logarithmic",
+]
 examples = pytest.mark.parametrize("example", resources.EXAMPLES, ids=lambda each: each.name)
 
 

@@ -101,6 +101,19 @@ MENUS: dict[str, list[Any]] = {
     ],
     "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }
+SCENE_MENU = [
+    "fit_view",
+    "lens_view",
+    "screen_view",
+    None,
+    *("&Rays", "F&aces"),
+    *("exploded", "perspective"),
+    None,
+    *TOOLS,
+    None,
+    "copy_scene",
+]
+"""Names, separators and menus of the 3D view."""
 _FILES, _STEPS = ["new", "open", "save", "export"], ["undo", "redo"]
 TOOLBAR = [
     *_FILES,
@@ -148,6 +161,14 @@ class Commands:
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
             self._fill(window.menuBar(), title, entries)
+        self.scene_menu = QMenu(window)
+        for each in SCENE_MENU:
+            if each is None:
+                self.scene_menu.addSeparator()
+            elif each in self.menus:
+                self.scene_menu.addMenu(self.menus[each])
+            else:
+                self.scene_menu.addAction(self[each])
         self.toolbar = QToolBar(tr("Toolbar"), window)
         self.toolbar.setObjectName("toolbar")
         self.toolbar.setMovable(False)

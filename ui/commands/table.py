@@ -56,7 +56,7 @@ LANGUAGE_CHOICES = {f"language_{code}": code for code in ("system", *LANGUAGES)}
 WORKSPACE_CHOICES = {f"workspace_{name}": name for name in (*WORKSPACES, "custom")}
 """Commands for what the window shows; see `ui.window.workspaces`."""
 
-TOOLS = ("turn", "sculpt", "lock", "move_source")
+TOOLS = ("turn", "sculpt", "lock", "move_source", "measure")
 """Commands for what the left button does in the 3D scene."""
 
 LOCKS = ("lock_all", "unlock_all", "invert_locks")
@@ -240,6 +240,12 @@ COMMANDS = {
     ),
     "move_source": Command(
         "&Move source", "Drag the source; with Ctrl along z", "Alt+M", "move-source", checked=False
+    ),
+    "measure": Command(
+        "M&easure",
+        "Click two points on {optic} or screen for their distance",
+        icon="measure",
+        checked=False,
     ),
     "mark_region": Command(
         "Mark &regions",

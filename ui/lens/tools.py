@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, Signal
 from ui.background import Background, Task
 from ui.document.frame import Frame, make_frame, same_task
 from ui.lens.brush_tools import Brush, Lock, Sculpt
+from ui.lens.measure import Measure
 from ui.lens.move_source import MoveSource
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
@@ -112,6 +113,7 @@ class LensTools(QObject):
             "sculpt": self._sculpt(),
             "lock": lock,
             "move_source": self._move_source(),
+            "measure": Measure(view, self),
         }
         self._tool: Tool | None = None
         lock.painted.connect(self._store_locks)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights, Locks
-    from workbench.pictures.actors import PointMarkers
+    from workbench.pictures.actors import PointMarkers, Rule
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
@@ -163,6 +163,7 @@ class FaceNets(QObject):
 _SPOT = 5.0  # pixels
 # What stands above the colours of faces.
 _SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean curvature")}
+_RULES = {True: "#ffffff", False: "#101820"}  # by dark
 _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
 
@@ -175,13 +176,14 @@ class SceneContents:
         self.handles: SourceHandles | None = None
         self.sight: Projection | None = None
         self._dots: PointMarkers | None = None
+        self._rule: Rule | None = None
         self._marked: tuple[ControlHeights, Array] | None = None
 
     def begin(
         self, plotter: Any, session: "Session", options: ViewOptions, *, dark: bool
     ) -> "LensPicture":
         # Late: these take seconds to load.
-        from workbench.pictures.actors import PointMarkers
+        from workbench.pictures.actors import PointMarkers, Rule
         from workbench.pictures.lens import LensPicture
         from workbench.pictures.projection import Projection
         from workbench.pictures.source_handles import SourceHandles
@@ -202,6 +204,7 @@ class SceneContents:
         self.handles = SourceHandles(plotter, dark=dark)
         self._dots = PointMarkers(plotter, _SPOT)
         self._dots.colour(_SPOTS[dark])
+        self._rule = Rule(plotter, _RULES[dark])
         self.sight = Projection(plotter)
         return self.picture
 
@@ -218,6 +221,8 @@ class SceneContents:
         further = [light.irradiance for light in frame.state.further]
         picture.update(frame.surfaces, paths, lit, frame.source, further)
         here = marked is not None and marked[0] == frame.state.heights
+        if self._rule is not None:
+            self._rule.place(() if tool is None else tool.ruled)
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         if tool is not None and tool.shows_handles:
@@ -239,9 +244,11 @@ class SceneContents:
             self.handles.recolour(dark)
         if self._dots is not None:
             self._dots.colour(_SPOTS[dark])
+        if self._rule is not None:
+            self._rule.colour(_RULES[dark])
 
     def close(self) -> None:
         if self.handles is not None:
             self.handles.close()
-        self.picture = self.handles = self.sight = self._dots = None
+        self.picture = self.handles = self.sight = self._dots = self._rule = None
         self.nets.close()

@@ -19,7 +19,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QEasingCurve, QEvent, QObject, Qt, QVariantAnimation, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtGui import (
+    QCloseEvent,
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
 
 from ui.document.frame import same_task
@@ -52,6 +59,7 @@ class SceneView(View):
     """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard."""
 
     escaped = Signal()
+    menu_asked = Signal(object)  # QPoint of the screen
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
@@ -74,6 +82,9 @@ class SceneView(View):
         self._closed = False
         self._tool_input = ToolInput(self)
         self._tool_input.clicked.connect(self._pick)
+        # Queued: the plotter has its release before.
+        queued = Qt.ConnectionType.QueuedConnection
+        self._tool_input.menu_asked.connect(self.menu_asked, queued)
         self._tool_input.wheeled.connect(self._zoom)
         self._tool_input.escaped.connect(self.escaped)
         self._hint = WrappedLabel()
@@ -259,6 +270,10 @@ class SceneView(View):
         if view:
             self.fit(view)
         return bool(view)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if event.reason() is QContextMenuEvent.Reason.Keyboard:  # the mouse may also drag
+            self.menu_asked.emit(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         self._flight.stop()

@@ -2,20 +2,23 @@
 
 1. The left button goes to the tool. If the tool does not use the press, the camera gets press,
    moves and release; all or none.
-2. Without a tool, a press and a release at one point select.
+2. Without a tool, a press and a release at one point select; of the right button, with or without
+   a tool, they open the menu.
 3. A held key of a tool is one drag; another key or button, or a loss of focus, ends it. X11 may
    report an auto-repeated key as released and pressed, so a release counts only if no press
    follows.
 4. Other keys go to the view and the window. Other buttons go to the camera, the wheel to the view.
 """
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
+
+from workbench.arrays import Array
 
 if TYPE_CHECKING:
     from workbench.pictures.camera import FittedCamera
@@ -54,6 +57,11 @@ class Tool(QObject):
     shows_net = False
     shows_handles = False
     keys: Set[int] = frozenset()
+
+    @property
+    def ruled(self) -> Sequence[Array]:
+        """Points (3,) that a line joins."""
+        return ()
 
     @property
     def hint(self) -> str:
@@ -123,6 +131,7 @@ class ToolInput(QObject):
     """Passes events of the plotter to the tool."""
 
     clicked = Signal(object)
+    menu_asked = Signal(object)  # QPoint of the screen
     wheeled = Signal(object, float)
     escaped = Signal()
 
@@ -171,9 +180,8 @@ class ToolInput(QObject):
             self._turn_wheel(plotter, event)
             return True
         if isinstance(event, QMouseEvent):
-            if tool is None:
-                return self._click(plotter, event)
-            return self._use(tool, plotter, event)
+            self._note_click(plotter, event)
+            return tool is not None and self._use(tool, plotter, event)
         return False
 
     def _use(self, tool: Tool, plotter: QWidget, event: QMouseEvent) -> bool:
@@ -223,15 +231,19 @@ class ToolInput(QObject):
             self._works = False
             self._tool.release()
 
-    def _click(self, plotter: QWidget, event: QMouseEvent) -> bool:
-        if event.button() is _LEFT and event.type() == QEvent.Type.MouseButtonPress:
+    def _note_click(self, plotter: QWidget, event: QMouseEvent) -> None:
+        button = event.button()
+        if event.type() == QEvent.Type.MouseButtonPress:
             self._pressed_at = event.position()
-        elif event.button() is _LEFT and self._pressed_at is not None:
+        elif button is not Qt.MouseButton.NoButton and self._pressed_at is not None:
             moved = (event.position() - self._pressed_at).manhattanLength()
             self._pressed_at = None
-            if moved < QApplication.startDragDistance():
+            if moved >= QApplication.startDragDistance():
+                return
+            if button is Qt.MouseButton.RightButton:
+                self.menu_asked.emit(event.globalPosition().toPoint())
+            elif button is _LEFT and self._tool is None:
                 self.clicked.emit(pointer_at(plotter, event))
-        return False
 
     def _turn_wheel(self, plotter: QWidget, event: QWheelEvent) -> None:
         notches = event.angleDelta().y() / _NOTCH

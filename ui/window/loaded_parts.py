@@ -84,6 +84,7 @@ class LoadedParts(QObject):
             self.manufacture.background,
             views.photo.background,
         )
+        views.scene.menu_asked.connect(early.commands.scene_menu.popup)
         self._connect_run()
         self._connect_check()
         self._connect_cards()

@@ -1,6 +1,6 @@
 """Actors of the 3D view: point markers, colour bar, receiver."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,8 @@ _COLOURS, _LABELS = 256, 3
 _PLACE, _WIDTH, _HEIGHT = (0.35, 0.02), 0.3, 0.09
 _BAR, _APART = 0.2, 4  # thickness, in parts of the height; pixels between title and labels
 _FONT = 12
+_RULE_END = 9.0  # pixels
+_FRONT = -66000  # units of depth, which take a line before everything
 _FONT_FILE = findfont("DejaVu Sans")  # VTK's own fonts lack superscripts: 10⁻⁶ reads 10
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
 _GLOW_PARTS = 13  # of each edge of a receiver
@@ -62,6 +64,41 @@ class PointMarkers:
     def colour(self, colour: str) -> None:
         """Change the colour."""
         self._actor.prop.color = colour
+
+
+class Rule:
+    """A line between two points, on a plotter of the caller and in front of everything."""
+
+    def __init__(self, plotter: Any, colour: str) -> None:
+        self._ends = PointMarkers(plotter, _RULE_END)
+        self._mesh = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
+        self._actor = plotter.add_mesh(
+            self._mesh,
+            line_width=2.0,
+            lighting=False,
+            pickable=False,
+            copy_mesh=False,
+            show_scalar_bar=False,
+            reset_camera=False,
+            render=False,
+        )
+        mapper = self._actor.mapper
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, _FRONT)
+        self.colour(colour)
+        self.place(())
+
+    def place(self, points: Sequence[Array]) -> None:
+        """Mark points (3,), and join two of them."""
+        self._ends.place(np.reshape(points, (-1, 3)))
+        self._actor.SetVisibility(len(points) == 2)
+        if len(points) == 2:
+            self._mesh.points = np.array(points)
+
+    def colour(self, colour: str) -> None:
+        """Change the colour."""
+        self._actor.prop.color = colour
+        self._ends.colour(colour)
 
 
 class ColourScale:

@@ -107,7 +107,8 @@ class Compass:
         actor = pv.Actor(mapper=mapper)
         actor.prop.lighting = False
         self._renderer.AddActor(actor)
-        return actor.prop
+        prop: pv.Property = actor.prop
+        return prop
 
     def _label(self, name: str) -> vtkBillboardTextActor3D:
         label = vtkBillboardTextActor3D()

@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkCellPicker
 from workbench.arrays import Array
 
 _STEP = 1e-3  # of the height of the picture, for finite differences
+_SNAP = 6.0  # pixels to a vertex
 _HEAD_ON = 0.15  # a direction seen shorter than this part of its length counts as head-on
 
 
@@ -32,14 +33,29 @@ class Projection:
 
     def point(self, x: float, y: float) -> Array:
         """Return the point of a body at a pixel; without a body, of the focal plane."""
-        picker = vtkCellPicker()
-        picker.SetTolerance(0.0)
-        if picker.Pick(x, y, 0.0, self._renderer):
+        picker = self._picked(x, y)
+        if picker is not None:
             return np.array(picker.GetPickPosition())
         camera = self._renderer.GetActiveCamera()
         (start, end), ahead = self.line(x, y), np.array(camera.GetDirectionOfProjection())
         part = (camera.GetFocalPoint() - start) @ ahead / ((end - start) @ ahead)
         return np.asarray(start + part * (end - start))
+
+    def corner(self, x: float, y: float) -> Array | None:
+        """Return the point of a body at a pixel, or a vertex of its mesh close to it."""
+        picker = self._picked(x, y)
+        if picker is None:
+            return None
+        place = np.array(picker.GetPickPosition())
+        vertex = picker.GetDataSet().GetPoint(picker.GetPointId())
+        corner = np.array(picker.GetActor().GetMatrix().MultiplyPoint((*vertex, 1.0))[:3])
+        away = np.linalg.norm(self.pixels(corner[None])[0] - (x, y))
+        return corner if away <= _SNAP else place
+
+    def _picked(self, x: float, y: float) -> vtkCellPicker | None:
+        picker = vtkCellPicker()
+        picker.SetTolerance(0.0)
+        return picker if picker.Pick(x, y, 0.0, self._renderer) else None
 
     def pixels(self, points: Array) -> Array:
         """Return the pixels (n, 2) of points (n, 3)."""

@@ -345,3 +345,33 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     file.unlink()
     commands["save_scene_1"].trigger()
     assert not file.exists() and "hidden" in window.messages.text
+
+
+def test_two_clicks_measure_a_distance_and_snap_to_corners(tools, qtbot):
+    view = tools.view
+    tools.commands["measure"]()
+    assert "Click two points" in view._hint.text()
+    view.fit("screen")
+    (x, y), z = tools.document.session.scene.receiver.half_width, 5.0
+    for place in ((-x, -y, z), (x, -y, z)):
+        near = seen_at(view, place) + QPoint(2 if place[0] < 0 else -2, -2)
+        qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=near)
+    assert view._tool.ruled[0] == pytest.approx([-x, -y, z])
+    qtbot.waitUntil(lambda: view._hint.text() == f"Distance {2 * x:g} cm: x {2 * x:g}, y 0, z 0")
+    ends = view._contents._rule._mesh.points
+    np.testing.assert_allclose(ends, [[-x, -y, z], [x, -y, z]], atol=1e-6)
+    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(view, (0, 0, z)))
+    assert len(view._tool.ruled) == 1  # the next measurement begins
+
+
+def test_a_right_click_opens_the_menu_and_a_right_drag_does_not(tools, qtbot):
+    view, asked, right = tools.view, [], Qt.MouseButton.RightButton
+    view.menu_asked.connect(asked.append)
+    at = QPoint(100, 200)
+    qtbot.mousePress(view._plotter, right, pos=at)
+    qtbot.mouseRelease(view._plotter, right, pos=at + QPoint(60, 0))
+    qtbot.wait(20)
+    assert not asked
+    tools.commands["measure"]()
+    qtbot.mouseClick(view._plotter, right, pos=at)
+    qtbot.waitUntil(lambda: asked == [view._plotter.mapToGlobal(at)])
