@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.pictures.camera import FittedCamera
+from workbench.pictures.camera import FittedCamera, scene_corners
 from workbench.pictures.compass import Compass
 from workbench.pictures.projection import Projection
 
@@ -134,3 +134,16 @@ def test_each_ball_of_the_compass_leads_to_its_view(camera, plotter, name):
     assert compass.pick(width - 38, height - 38) == name  # its ball is in front
     compass.close()
     assert plotter.ren_win.GetRenderers().GetNumberOfItems() == before
+
+
+def test_a_narrow_window_looks_more_along_the_axis_and_fills_its_width(plotter, make_scene):
+    scene, directions = make_scene({"screen.z": 8.0}), []
+    for size in ((1200, 400), (300, 600)):
+        plotter.window_size = size
+        FittedCamera(plotter, scene).fit("")
+        directions.append(abs(plotter.camera.direction[2]))
+        places = Projection(plotter).pixels(scene_corners(scene))
+        assert (places >= 0).all() and (places <= size).all()
+    across = np.ptp(places[:, 0]) / size[0]
+    assert across > 0.8
+    assert directions[1] > directions[0]

@@ -39,6 +39,7 @@ _LEAST_SEEN = 0.5  # least part of the height used for fitting, however much is 
 _STEEPEST = 85.0  # degrees above or below, when the camera is turned
 # Degrees from the axis and above it, for views of lens and screen and of the lens alone.
 _AZIMUTH, _LENS_AZIMUTH, _ELEVATION = 58.0, 40.0, 22.0
+_TURNS, _GAIN = 6, 0.2  # directions that are tried for a narrow window; what the last must gain
 _CLEAR = 2.0  # degrees between the outlines of lens and screen
 _SIDE = np.linspace(-1, 1, 9)  # places across a face, for its extent
 _FLATTEST = 80.0  # degrees from the axis; beyond, a lens near its screen shows no face
@@ -75,18 +76,16 @@ class FittedCamera:
         self.view = view
         corners = self._corners(view)
         toward, up = map(np.array, VIEWS.get(view, (self._oblique(view), _UP)))
-        right = np.cross(up, toward)
-        right /= np.linalg.norm(right)
-        frame = np.stack([right, np.cross(toward, right), toward])
+        frame = _frame((toward, np.zeros(3), up, 1.0)).T
         seen = corners @ frame.T
         low, high = seen.min(axis=0), seen.max(axis=0)
         half = (high - low) / 2
         centre = (low + high) / 2 @ frame
-        width, height = self._plotter.window_size
+        height = self._plotter.window_size[1]
         self._plotter.renderer.camera.is_set = True  # else its first use draws the scene twice
         camera = self._plotter.camera
         part = max(1 - self.hidden / max(height, 1), _LEAST_SEEN)
-        scale = _MARGIN * max(half[1] / part, half[0] * height / max(width, 1))
+        scale = self._scale(half, part)
         camera.focal_point = centre - (1 - part) * scale * frame[1]
         camera.up = up
         camera.parallel_scale = scale
@@ -162,10 +161,23 @@ class FittedCamera:
         low, high = scene_corners(self._scene).min(axis=0), scene_corners(self._scene).max(axis=0)
         length, width = high[2] - low[2], max(high[:2] - low[:2])
         azimuth = math.asin(min(math.sin(math.radians(_AZIMUTH)), 2.4 * width / length))
-        azimuth = max(azimuth, min(clear, math.radians(_FLATTEST)))
-        drop = 0.45 * width / (length * math.cos(azimuth))
-        elevation = math.asin(min(math.sin(math.radians(_ELEVATION)), drop))
-        return _direction(azimuth, elevation, onwards)
+        clear = min(clear, math.radians(_FLATTEST))
+        corners, best, least = self._corners(view), np.zeros(3), math.inf
+        for turned in np.linspace(0, 1, _TURNS):
+            along = max(azimuth, clear) * (1 - turned) + clear * turned
+            drop = 0.45 * width / (length * math.cos(along))
+            elevation = math.asin(min(math.sin(math.radians(_ELEVATION)), drop))
+            toward = _direction(along, elevation, onwards)
+            half = np.ptp(corners @ _frame((toward, np.zeros(3), _UP, 1.0)), axis=0) / 2
+            scale = self._scale(half) * (1 + _GAIN * turned)
+            if scale < least:
+                best, least = toward, scale
+        return best
+
+    def _scale(self, half: Array, part: float = 1.0) -> float:
+        """Half the height that is seen where half-widths and half-heights (2,) fit in."""
+        width, height = self._plotter.window_size
+        return float(_MARGIN * max(half[1] / part, half[0] * height / max(width, 1)))
 
     def _clear_azimuth(self) -> float:
         places = _on_receiver(self._scene)

@@ -12,7 +12,7 @@ from workbench.pictures.meshes import polylines
 _AXES = (("X", "#d8504c"), ("Y", "#3f9a45"), ("Z", "#3d82d8"))
 _DIRECTIONS = np.concatenate([np.eye(3), -np.eye(3)])
 _NAMES = ("+x", "+y", "+z", "-x", "-y", "-z")  # of `camera.VIEWS`
-_PART, _PIXELS = 0.16, (76, 170)  # of the height of the picture; least and most
+_PART, _PIXELS = 0.16, (76, 170)  # of the lesser side of the picture; least and most
 _SEEN = 1.35  # half of the height that its camera sees; balls are at 1
 _BALL, _FONT, _LINE = 0.2, 0.13, 0.025  # in parts of the compass
 _BACK = 90  # opacity of the balls of negative directions, of 255
@@ -71,7 +71,7 @@ class Compass:
     @property
     def side(self) -> int:
         """Width and height in pixels."""
-        return int(np.clip(_PART * self._window.GetSize()[1], *_PIXELS))
+        return int(np.clip(_PART * min(self._window.GetSize()), *_PIXELS))
 
     @property
     def _frame(self) -> tuple[Any, Any, Any]:
