@@ -770,8 +770,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source; with Ctrl along z</source>
-            <translation>Quelle ziehen; mit Strg entlang z</translation>
+            <source>Drag the source, with Ctrl along z; or the screen</source>
+            <translation>Quelle ziehen, mit Strg entlang z; oder den Schirm</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1955,6 +1955,11 @@
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the screen along z: {z} {unit}.</source>
+            <translation>Schirm entlang z ziehen: {z} {unit}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
             <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
             <translation>Quelle oder Element ziehen, mit Strg entlang z. Umschalt: fein, Esc: abbrechen.</translation>
         </message>
@@ -2032,6 +2037,11 @@
             <location filename="../../ui/lens/tools.py" />
             <source>move the element</source>
             <translation>Element verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move the screen</source>
+            <translation>Schirm verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />

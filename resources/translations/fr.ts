@@ -770,8 +770,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source; with Ctrl along z</source>
-            <translation>Faire glisser la source ; avec Ctrl selon z</translation>
+            <source>Drag the source, with Ctrl along z; or the screen</source>
+            <translation>Faire glisser la source, avec Ctrl selon z ; ou l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1955,6 +1955,11 @@
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the screen along z: {z} {unit}.</source>
+            <translation>Faites glisser l'écran le long de z : {z} {unit}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
             <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
             <translation>Glisser la source ou un élément, avec Ctrl le long de z. Maj : fin, Échap : annuler.</translation>
         </message>
@@ -2032,6 +2037,11 @@
             <location filename="../../ui/lens/tools.py" />
             <source>move the element</source>
             <translation>déplacer l'élément</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move the screen</source>
+            <translation>déplacer l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />

@@ -239,7 +239,11 @@ COMMANDS = {
         checked=False,
     ),
     "move_source": Command(
-        "&Move source", "Drag the source; with Ctrl along z", "Alt+M", "move-source", checked=False
+        "&Move source",
+        "Drag the source, with Ctrl along z; or the screen",
+        "Alt+M",
+        "move-source",
+        checked=False,
     ),
     "measure": Command(
         "M&easure",

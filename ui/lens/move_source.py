@@ -1,4 +1,4 @@
-"""Moves and widens the source, and moves elements of a train."""
+"""Moves and widens the source, and moves elements of a train and the screen."""
 
 import math
 from collections.abc import Callable, Set
@@ -37,7 +37,7 @@ class _Drag:
 
 
 class MoveSource(Tool):
-    """The tool for the source, and for elements of a train."""
+    """The tool for the source, for elements of a train, and for the distance of the screen."""
 
     begun = Signal()
     moved = Signal(object)  # Scene
@@ -56,6 +56,14 @@ class MoveSource(Tool):
 
     @property
     def hint(self) -> str:
+        z = self._view.screen_z
+        if z is None:
+            return self._of_source
+        screen = tr("Drag the screen along z: {z} {unit}.").format(z=f"{z:g}", unit=self._view.unit)
+        return f"{screen} {self._of_source}"
+
+    @property
+    def _of_source(self) -> str:
         source = self._view.source
         if self._view.has_train:
             return tr("Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.")
@@ -89,7 +97,8 @@ class MoveSource(Tool):
         if place is None:
             return
         middle = np.add(place, drag.by)
-        to = _ALONG if at.along and not isinstance(drag.handle, int) else _ACROSS
+        along = drag.handle == "screen" or (at.along and not isinstance(drag.handle, int))
+        to = _ALONG if along else _ACROSS
         gone = (at.x - drag.at.x, at.y - drag.at.y)
         drag.at = at
         self._move(drag, sight.movement(middle, to, gone) @ to, at.fine)
@@ -129,6 +138,9 @@ class MoveSource(Tool):
 def _place_of(scene: Scene, handle: Handle) -> tuple[float, float, float] | None:
     if isinstance(handle, ElementHandle):
         return scene.elements[handle.number].position
+    if handle == "screen":
+        x, y, z = scene.receiver.middle_in_scene.tolist()
+        return x, y, z
     return scene.source.place
 
 

@@ -228,8 +228,10 @@ class LensTools(QObject):
         return f"drag {self._drags}"
 
     def _move(self, moved: Scene) -> None:
-        of_source = moved.source != self._document.before(self._key).scene.source
-        text = tr("move the source") if of_source else tr("move the element")
+        before = self._document.before(self._key).scene
+        text = tr("move the source") if moved.source != before.source else tr("move the element")
+        if moved.images != before.images:
+            text = tr("move the screen")
         try:
             scene = Scene.from_data(moved.to_data())
             self._as_own(lambda: self._document.edit(scene, text, self._key))

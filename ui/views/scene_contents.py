@@ -226,13 +226,16 @@ class SceneContents:
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         if tool is not None and tool.shows_handles:
-            elements = frame.session.scene.elements
+            scene, elements = frame.session.scene, frame.session.scene.elements
             # At their rims: the source may be close to the vertex of the first one.
             rims = [
                 element.in_scene(np.array([0.0, element.half_width[1], element.position[2]]))
                 for element in elements
             ]
-            handles.show(frame.source, np.reshape(rims if len(rims) > 1 else [], (-1, 3)))
+            rims = rims if len(rims) > 1 else []
+            top = scene.receiver.outline(elements[-1])[:, -1].mean(axis=0)
+            screen = [top] if scene.receiver.stands_at is not None else []
+            handles.show(frame.source, np.reshape(rims, (-1, 3)), np.reshape(screen, (-1, 3)))
         else:
             handles.show(None)
 

@@ -121,6 +121,13 @@ class SceneView(View):
         return None if self._session is None else self._session.scene.source
 
     @property
+    def screen_z(self) -> float | None:
+        """Where the screen of the first image stands; None for a far field."""
+        if self._session is None or self._session.scene.receiver.stands_at is None:
+            return None
+        return self._session.scene.receiver.plane_z
+
+    @property
     def has_train(self) -> bool:
         return self._session is not None and len(self._session.scene.elements) > 1
 

@@ -1,4 +1,4 @@
-"""Handles for moving and resizing a point source or a grid of point sources, and for elements.
+"""Handles for moving and resizing a point source or a grid, and for elements and the screen.
 
 The handles of a source that is small on screen stand beside it, so that the source itself can still
 be dragged. They follow the camera: each rendering places them anew.
@@ -21,8 +21,8 @@ class ElementHandle(NamedTuple):
     number: int
 
 
-Handle = Literal["middle"] | int | ElementHandle
-"""The whole source, the number of a corner of a grid, or an element."""
+Handle = Literal["middle", "screen"] | int | ElementHandle
+"""The whole source, the screen, the number of a corner of a grid, or an element."""
 
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
@@ -39,7 +39,7 @@ class SourceHandles:
         self._markers = PointMarkers(plotter, _SIZE, round=False)
         self._projection = Projection(plotter)
         self._source: Source | None = None
-        self._elements = _NOWHERE
+        self._elements = self._screen = _NOWHERE
         self._renderer, handles = plotter.renderer, weakref.ref(self)
 
         def follow(*_: object) -> None:
@@ -49,12 +49,14 @@ class SourceHandles:
         self._observer = self._renderer.AddObserver("StartEvent", follow)
         self.recolour(dark)
 
-    def show(self, source: Source | None, elements: Array = _NOWHERE) -> None:
-        """Show the handles of a source, and of elements at places (n, 3).
+    def show(
+        self, source: Source | None, elements: Array = _NOWHERE, screen: Array = _NOWHERE
+    ) -> None:
+        """Show the handles of a source, of elements at places (n, 3), of a screen at (0 or 1, 3).
 
         A collimated source has none.
         """
-        self._source, self._elements = source, elements
+        self._source, self._elements, self._screen = source, elements, screen
         self._place()
 
     def close(self) -> None:
@@ -74,16 +76,16 @@ class SourceHandles:
                 return corner
             if self._nearest(source.seen(_INSIDE), x, y) is not None:
                 return "middle"
+        if self._nearest(self._screen, x, y) is not None:
+            return "screen"
         element = self._nearest(self._elements, x, y)
         return None if element is None else ElementHandle(element)
 
     def _place(self) -> None:
-        source = self._source
-        if source is None or source.place is None:
-            self._markers.place(self._elements)
-        else:
-            place = np.array([source.place])
-            self._markers.place(np.vstack([self._corner_handles(source), place, self._elements]))
+        source, places = self._source, [self._elements, self._screen]
+        if source is not None and source.place is not None:
+            places += [self._corner_handles(source), np.array([source.place])]
+        self._markers.place(np.vstack(places))
 
     def _corner_handles(self, source: Source) -> Array:
         corners = source.corners
@@ -115,6 +117,9 @@ def moved(scene: Scene, handle: Handle, by: Array, digits: int) -> Scene:
         place = _rounded(element.position, by, digits)
         elements[handle.number] = element.model_copy(update={"position": place})
         return scene.model_copy(update={"elements": tuple(elements)})
+    if handle == "screen":
+        z = round(scene.receiver.plane_z + float(by[2]), digits)
+        return scene.with_receiver(scene.receiver.moved_to(z))
     source = scene.source
     if source.place is None:
         return scene

@@ -375,3 +375,34 @@ def test_a_right_click_opens_the_menu_and_a_right_drag_does_not(tools, qtbot):
     tools.commands["measure"]()
     qtbot.mouseClick(view._plotter, right, pos=at)
     qtbot.waitUntil(lambda: asked == [view._plotter.mapToGlobal(at)])
+
+
+def test_the_screen_is_dragged_along_the_axis_in_one_step(make_tools, drag, qtbot):
+    tools = make_tools()
+    view, document = tools.view, tools.document
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: len(view.handles._screen) == 1)
+    scene = document.session.scene
+    top = (0.0, scene.receiver.half_width[1], 5.0)
+    start = seen_at(view, top)
+    held = drag(view, start)
+    held.move(seen_at(view, (*top[:2], 5.5)) - start)
+    assert document.session.scene.receiver.plane_z == pytest.approx(5.5, abs=0.1)
+    assert f"z: {document.session.scene.receiver.plane_z:g} cm" in view._tool.hint
+    held.release()
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "move the screen"
+    moved = document.session.scene.receiver.plane_z
+    qtbot.waitUntil(lambda: view.frame.session.scene.receiver.plane_z == moved, timeout=20_000)
+    document.undo_stack.undo()
+    assert document.session.scene == scene
+
+
+def test_a_far_field_has_no_distance_to_drag(make_tools, make_scene, qtbot):
+    data = make_scene().to_data()
+    far = {"kind": "far_field", "half_angle": [10.0, 10.0], "pixels": [32, 32]}
+    data["images"][0]["receiver"] = far
+    tools = make_tools(scene=Scene.from_data(data))
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: "Collimated" in tools.view._hint.text())
+    assert "screen" not in tools.view._tool.hint and not len(tools.view.handles._screen)
