@@ -161,6 +161,7 @@ class FaceNets(QObject):
 
 
 _SPOT = 5.0  # pixels
+_BEYOND = 1.03  # of its extents: the handle of a screen, which the screen would half hide
 # What stands above the colours of faces.
 _SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean curvature")}
 _RULES = {True: "#ffffff", False: "#101820"}  # by dark
@@ -233,7 +234,7 @@ class SceneContents:
                 for element in elements
             ]
             rims = rims if len(rims) > 1 else []
-            top = scene.receiver.outline(elements[-1])[:, -1].mean(axis=0)
+            top = scene.receiver.outline(elements[-1], _BEYOND)[:, -1].mean(axis=0)
             screen = [top] if scene.receiver.stands_at is not None else []
             handles.show(frame.source, np.reshape(rims, (-1, 3)), np.reshape(screen, (-1, 3)))
         else:

@@ -383,7 +383,7 @@ def test_the_screen_is_dragged_along_the_axis_in_one_step(make_tools, drag, qtbo
     tools.commands["move_source"]()
     qtbot.waitUntil(lambda: len(view.handles._screen) == 1)
     scene = document.session.scene
-    top = (0.0, scene.receiver.half_width[1], 5.0)
+    top = (0.0, 1.03 * scene.receiver.half_width[1], 5.0)
     start = seen_at(view, top)
     held = drag(view, start)
     held.move(seen_at(view, (*top[:2], 5.5)) - start)
