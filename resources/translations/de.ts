@@ -4020,11 +4020,6 @@
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
-            <source>{side}: mirror-inverted</source>
-            <translation>{side}: spiegelverkehrt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours</source>
             <translation>Logarithmische Farben</translation>
         </message>

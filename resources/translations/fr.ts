@@ -4020,11 +4020,6 @@
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
-            <source>{side}: mirror-inverted</source>
-            <translation>{side} : inversé comme dans un miroir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/light_images.py" />
             <source>Logarithmic colours</source>
             <translation>Couleurs logarithmiques</translation>
         </message>
