@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 _WELL_HIGH, _WIDEST, _ICON = 176, 1600, 48  # pixels
 _MOST_RECENT = 6
-_JOBS, _EXAMPLES = Shape(212, 0.625, 4), Shape(128, 1.0, 2, with_about=False)
+_JOBS, _EXAMPLES = Shape(212, 0.625, 5), Shape(128, 1.0, 2, with_about=False)
 _RECENT = Shape(150, 0.0, 2)
 
 
