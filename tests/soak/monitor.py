@@ -15,8 +15,9 @@ _SLOW = 1.0  # worth a line
 _MOST_MB = 8000.0  # what no task that is typed in here needs; the program ends before the machine
 _BEAT_MS = 50
 
-# Printed without a window manager, and of the format that VTK's widget asks for each time.
-_HARMLESS = ("This plugin does not support", "Setting a new default format")
+# Printed without a window manager, of the format that VTK's widget asks for each time, and of the
+# 3D view, whose own window outlasts that of a dock that is put back.
+_HARMLESS = ("This plugin does not support", "Setting a new default format", "Reparenting")
 
 
 class Monitor(QObject):

@@ -8,6 +8,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.geometry.ball_kernels import LEAF_ROWS, LEAF_SPANS, Blocks, lowest_sides
+from workbench.progress import check_given_up
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +97,7 @@ def _joined(level: _Level, rows: int, columns: int) -> _Level:
         (level.slope_x, across, level.width),
         (level.slope_y, up, level.height),
     ):
+        check_given_up()  # large sweeps take seconds
         slopes = _grouped(slope, rows, columns, 0.0)
         mean = slopes.sum(axis=(1, 3), keepdims=True) / count
         # How far a plane of that slope is above one of the mean slope, at the lower end.
