@@ -136,6 +136,23 @@ def test_each_ball_of_the_compass_leads_to_its_view(camera, plotter, name):
     assert plotter.ren_win.GetRenderers().GetNumberOfItems() == before
 
 
+def test_pictures_can_be_without_the_compass(plotter, make_scene):
+    FittedCamera(plotter, make_scene()).fit("axis")
+    compass = Compass(plotter)
+
+    def colour():  # of the strongest pixel in the corner
+        plotter.render()
+        corner = plotter.screenshot(return_img=True)[:80, -80:, :3].astype(int)
+        return np.ptp(corner, axis=2).max()
+
+    assert colour() > 100
+    compass.show(False)
+    without = colour()
+    compass.show(True)
+    assert without < 50 and colour() > 100
+    compass.close()
+
+
 def test_a_narrow_window_looks_more_along_the_axis_and_fills_its_width(plotter, make_scene):
     scene, directions = make_scene({"screen.z": 8.0}), []
     for size in ((1200, 400), (300, 600)):

@@ -194,10 +194,17 @@ class SceneView(View):
         self._ask()
 
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
-        """Return the magnified picture, shape (rows, columns, 3); None before drawing."""
-        if self._contents.picture is None:
+        """Return the magnified picture, shape (rows, columns, 3); None before drawing.
+
+        It is without the compass.
+        """
+        if self._contents.picture is None or self._compass is None:
             return None
+        self._compass.show(False)
+        self._plotter.render()  # a screenshot is of what was rendered last
         pixels = self._plotter.screenshot(return_img=True, scale=times)
+        self._compass.show(True)
+        self._plotter.update()
         return np.ascontiguousarray(pixels[..., :3])
 
     def show_spots(self, heights: "ControlHeights", places: Array) -> None:

@@ -56,6 +56,10 @@ class Compass:
         self._scene.RemoveObserver(self._observer)
         self._window.RemoveRenderer(self._renderer)
 
+    def show(self, shown: bool) -> None:
+        """Draw it from the next rendering on, or not."""
+        self._renderer.SetDraw(shown)
+
     def pick(self, x: float, y: float) -> str:
         """Return the view of the ball at a pixel from the lower left; "" if there is none."""
         width, height = self._window.GetSize()
