@@ -56,7 +56,12 @@ def projected(scene, target, start):
     return min(errors)
 
 
-@pytest.mark.parametrize("part", [0.2, 0.25, 0.35])
+_SLOW = pytest.mark.full
+
+
+@pytest.mark.parametrize(
+    "part", [pytest.param(0.2, marks=_SLOW), pytest.param(0.25, marks=_SLOW), 0.35]
+)
 def test_a_run_ends_no_worse_than_long_projected_descents(make_scene, target, part):
     first = Bounds(make_scene(TASK | {"lens.height_range": None}), target).first["lens.back"]
     most = part * np.ptp(first)  # twice that is part of the range that the first design needs
