@@ -1,4 +1,4 @@
-"""Designs each job and pictures its result for the home page: ``resources/jobs/*.jpg``.
+"""Designs each job and pictures its result for the start page: ``resources/jobs/*.jpg``.
 
 Needs a screen, real or virtual: ``xvfb-run -a -s '-screen 0 1600x1000x24' python -m
 resources.make_job_pictures``; some minutes. A class name, such as ``Torch``, does one job alone.

@@ -1,13 +1,24 @@
 """Dialog in which a picture is cropped by dragging the edges of what is kept."""
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QRegion
+from PySide6.QtGui import (
+    QColor,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QRegion,
+)
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
 from ui.widgets.controls import filled
-from ui.widgets.native import ScaledImage, grey_image
+from ui.widgets.native import ScaledImage
 from ui.words import tr
 from workbench.arrays import Array
+from workbench.targets.colour import SRGB
 
 Crop = tuple[float, float, float, float]
 """What is cut away at the left, top, right and bottom, as fractions."""
@@ -30,6 +41,15 @@ _CURSORS = {  # by what moves along x and along y
     (False, True): Qt.CursorShape.SizeVerCursor,
     (True, True): Qt.CursorShape.SizeAllCursor,
 }
+
+
+def grey_image(light: Array) -> QImage:
+    """Return an image of light (n_y, n_x) in greys; its peak is white."""
+    # As much light of the monitor for each pixel as there is on the screen.
+    greys = (255 * SRGB.stored(light / light.max())).round().astype(np.uint8, order="C")
+    rows, columns = greys.shape
+    image = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
+    return image.copy()  # the array is gone after this
 
 
 class CropView(ScaledImage):

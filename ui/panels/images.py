@@ -7,14 +7,14 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-from ui.panels.crop import CropDialog
+from ui.panels.crop import CropDialog, grey_image
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
 from ui.panels.rows import Make, Rows, connect_asked, file_rows
 from ui.panels.text_rows import PairsRow
 from ui.widgets.controls import STRETCH, filled
-from ui.widgets.native import ScaledImage, grey_image
+from ui.widgets.native import ScaledImage
 from ui.words import error_text, in_sentence, tr
 from workbench.arrays import Array
 from workbench.errors import Refused
@@ -86,14 +86,15 @@ class TargetPanel(PartPanel):
         super().show_session(session, present, pending)
         r_u, r_v = session.scene.receiver.half_extent
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
-        self._form.setRowVisible(self._tools, isinstance(session.scene.target, ImageTarget))
+        self._form.setRowVisible(self._tools, session.scene.target.file is not None)
 
     def crop(self) -> None:
         """Ask which part of the picture is used."""
         from workbench.targets import picture_light  # late: takes long to import
 
         target = self.session.scene.target
-        assert isinstance(target, ImageTarget)  # or there is no such button
+        if not isinstance(target, ImageTarget):  # or there is no such button
+            return
         whole = target.model_copy(update={"crop": (0.0,) * 4, "turn": "none", "invert": False})
         try:
             light = picture_light(whole, self.session.picture)
@@ -108,9 +109,9 @@ class TargetPanel(PartPanel):
     def turn(self) -> None:
         """Turn the picture by a quarter to the right."""
         target = self.session.scene.target
-        assert isinstance(target, ImageTarget)
-        turned = {"none": "right", "right": "around", "around": "left", "left": "none"}
-        self._change("turn", tr("turn of the picture"), turned[target.turn])
+        if isinstance(target, ImageTarget):
+            turned = {"none": "right", "right": "around", "around": "left", "left": "none"}
+            self._change("turn", tr("turn of the picture"), turned[target.turn])
 
     def _change(self, field: str, text: str, value: object) -> None:
         path = f"{self.path}.{field}"

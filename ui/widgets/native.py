@@ -6,9 +6,6 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QRect, QSi
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
-from workbench.arrays import Array
-from workbench.targets.colour import SRGB
-
 
 def application() -> QApplication:
     """Return the application; raise RuntimeError if there is none yet."""
@@ -55,15 +52,6 @@ def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
     )
     image = QImage(data.data, columns, rows, channels * columns, given)
     return image.convertToFormat(own)  # the data are numpy's; these formats are painted fastest
-
-
-def grey_image(light: Array) -> QImage:
-    """Return an image of light (n_y, n_x) in greys; its peak is white."""
-    # As much light of the monitor for each pixel as there is on the screen.
-    greys = (255 * SRGB.stored(light / light.max())).round().astype(np.uint8, order="C")
-    rows, columns = greys.shape
-    image = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
-    return image.copy()  # the array is gone after this
 
 
 class ScaledImage(QWidget):

@@ -11,12 +11,12 @@ from torch import Tensor
 from workbench.arrays import Array, Mask
 from workbench.design.limits import CLOSEST, Cause, HeightLimits, Shortfall, bounded
 from workbench.design.transport import First, behind_flat_entrance, first_design
-from workbench.design.transport.view import overlaps
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.messages import Message
 from workbench.process import release_freed_memory
 from workbench.scene import Element, Scene
+from workbench.targets.raster import averaged
 
 _AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
 
@@ -234,17 +234,13 @@ class Bounds:
         """
         receiver, optic = self.scene.receiver, self._ranged
         n_x, n_y = (count // times for count in receiver.pixels)
-        into_y, into_x = (
-            overlaps(count, cells)
-            for count, cells in zip(self.target.shape, (n_y, n_x), strict=True)
-        )
         n_u, n_v = (
             max(min(count // times, round(_PER_PIXEL * pixels)), _FEWEST_POINTS, degree + 1)
             for count, pixels, degree in zip(optic.net_shape, (n_x, n_y), optic.degree, strict=True)
         )
         scene = self.scene.with_optic(optic.shaped(control_points=(n_u, n_v)))
         scene = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
-        return Bounds(scene, into_y @ self.target @ into_x.T)
+        return Bounds(scene, averaged(self.target, (n_y, n_x)))
 
     def alone(self) -> "Bounds":
         """Bounds of the exit face alone behind a flat entrance face.

@@ -16,6 +16,7 @@ from workbench.pictures import meshes
 from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import power_of, with_power
 from workbench.scene import AnyReceiver, Element, WantedImage
+from workbench.targets.raster import averaged
 
 _COLOURS, _LABELS = 256, 3
 # Position and size, in parts of the picture.
@@ -30,21 +31,25 @@ _GLOW_PARTS = 13  # of each edge of a receiver
 _GLOW = {1.0: 0.45, 1.06: 0.2, 1.15: 0.06, 1.3: 0.0}  # opacity by parts of a receiver's extents
 
 
+def add_to(plotter: Any, mesh: pv.DataSet, **style: Any) -> Any:
+    """Add a mesh that is changed in place to a plotter, which stays as it is; return its actor."""
+    return plotter.add_mesh(
+        mesh, copy_mesh=False, show_scalar_bar=False, reset_camera=False, render=False, **style
+    )
+
+
 class PointMarkers:
     """Point markers of one size in pixels, on a plotter of the caller; none at first."""
 
     def __init__(self, plotter: Any, size: float, *, round: bool = True) -> None:
         self._mesh = pv.PolyData(np.zeros((1, 3)))
-        self._actor = plotter.add_mesh(
+        self._actor = add_to(
+            plotter,
             self._mesh,
             style="points",
             point_size=size,
             render_points_as_spheres=round,
             lighting=False,
-            copy_mesh=False,
-            show_scalar_bar=False,
-            reset_camera=False,
-            render=False,
         )
         self.place(np.zeros((0, 3)))
 
@@ -72,16 +77,7 @@ class Rule:
     def __init__(self, plotter: Any, colour: str) -> None:
         self._ends = PointMarkers(plotter, _RULE_END)
         self._mesh = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
-        self._actor = plotter.add_mesh(
-            self._mesh,
-            line_width=2.0,
-            lighting=False,
-            pickable=False,
-            copy_mesh=False,
-            show_scalar_bar=False,
-            reset_camera=False,
-            render=False,
-        )
+        self._actor = add_to(plotter, self._mesh, line_width=2.0, lighting=False, pickable=False)
         mapper = self._actor.mapper
         mapper.SetResolveCoincidentTopologyToPolygonOffset()
         mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, _FRONT)
@@ -195,7 +191,8 @@ class LitReceiver:
         top = full_scale(scene, self._wanted.target, scene.receiver.total(irradiance))
         colours = colours or colours_for(scene)
         texels = to_colours(shown, top, colours)[::-1]
-        edge = meshes.rim(_means(shown[::-1].T)[..., None])[None, :, 0]
+        coarse = averaged(shown[::-1].T, (_GLOW_PARTS, _GLOW_PARTS))
+        edge = meshes.rim(coarse[..., None])[None, :, 0]
         glow = np.empty((len(_GLOW), edge.size, 4), dtype=np.uint8)
         glow[..., :3] = to_colours(edge, top, colours)
         opacity = np.array(list(_GLOW.values()))[:, None]
@@ -211,13 +208,3 @@ def _outline(receiver: AnyReceiver, optic: Element, fraction: float) -> Array:
     steps = fraction * np.linspace(-1, 1, _GLOW_PARTS)
     (u, v), (r_u, r_v) = receiver.middle, receiver.half_extent
     return receiver.drawn(optic, u + r_u * steps[:, None], v + r_v * steps)
-
-
-def _means(image: Array) -> Array:
-    """Means of blocks of an image, `_GLOW_PARTS` along each axis."""
-    for axis in (0, 1):
-        first = np.arange(_GLOW_PARTS) * image.shape[axis] // _GLOW_PARTS
-        sizes = np.diff(np.append(first, image.shape[axis])).clip(1)
-        sums = np.add.reduceat(image, first, axis=axis)
-        image = sums / (sizes[:, None] if axis == 0 else sizes)
-    return image

@@ -7,9 +7,9 @@ from contourpy import contour_generator
 from matplotlib.ticker import MaxNLocator
 
 from workbench.arrays import Array
-from workbench.design.transport.view import overlaps
 from workbench.pictures.axes import Extent, label_place
 from workbench.powers import written
+from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -32,15 +32,10 @@ class Contours:
         """Draw lines of an image (n_y, n_x), row 0 at the upper edge, on a scale up to ``top``."""
         self.clear()
         left, right, bottom, upper = self._bounds
-        n_y, n_x = (min(count, _CELLS) for count in values.shape)
-        into_y, into_x = (
-            overlaps(count, cells) * (cells / count)
-            for count, cells in zip(values.shape, (n_y, n_x), strict=True)
-        )
-        coarse = into_y @ values @ into_x.T
+        n_y, n_x = shape = tuple(min(count, _CELLS) for count in values.shape)
         x = left + (np.arange(n_x) + 0.5) * ((right - left) / n_x)
         y = upper - (np.arange(n_y) + 0.5) * ((upper - bottom) / n_y)
-        found = contour_generator(x, y, coarse)
+        found = contour_generator(x, y, averaged(values, shape))
         levels = np.asarray(MaxNLocator(_LINES, steps=[1, 2, 5, 10]).tick_values(0, top))
         for level in levels[(levels > 0) & (levels < top)].tolist():
             lines = [np.asarray(line) for line in found.lines(level)]

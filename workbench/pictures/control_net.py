@@ -16,7 +16,7 @@ from workbench.design.brush import bump
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import meshes
-from workbench.pictures.actors import PointMarkers
+from workbench.pictures.actors import PointMarkers, add_to
 from workbench.pictures.projection import Projection, nearest_to_line
 from workbench.scene import Element
 
@@ -56,16 +56,7 @@ class ControlNetPicture:
         self._locked: Mask | None = None
         self._drawn = np.zeros((0, 0), dtype=np.bool_)  # points of the block with lines
         self._lines = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
-        self._net_lines = plotter.add_mesh(
-            self._lines,
-            line_width=1.0,
-            opacity=0.5,
-            lighting=False,
-            copy_mesh=False,
-            show_scalar_bar=False,
-            reset_camera=False,
-            render=False,
-        )
+        self._net_lines = add_to(plotter, self._lines, line_width=1.0, opacity=0.5, lighting=False)
         self._mark = PointMarkers(plotter, _MARKED)
         self._points, self._brushed = (
             PointMarkers(plotter, _LARGEST[0]),

@@ -30,7 +30,7 @@ from workbench.pictures.axes import (
     stable_scale,
 )
 from workbench.pictures.contours import Contours
-from workbench.scene import ImageTarget, Scene
+from workbench.scene import Scene
 from workbench.scene.image import as_viewed, inverted
 
 if TYPE_CHECKING:
@@ -87,7 +87,7 @@ def colours_for(scene: Scene) -> str:
     Pictures are shown as they are seen; other light, and light in lux, so that small differences
     are seen.
     """
-    pictures = any(isinstance(image.target, ImageTarget) for image in scene.images)
+    pictures = any(image.target.file for image in scene.images)
     return AS_SEEN if pictures and not suits_contours(scene) else _LIGHT
 
 

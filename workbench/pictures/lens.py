@@ -23,7 +23,7 @@ from matplotlib import colormaps
 
 from workbench.arrays import Array
 from workbench.pictures import meshes
-from workbench.pictures.actors import ColourScale, LitReceiver
+from workbench.pictures.actors import ColourScale, LitReceiver, add_to
 from workbench.pictures.camera import FittedCamera, drawn_start_z, source_in_view
 from workbench.pictures.compressed import compress_distances, compress_paths
 from workbench.pictures.elements import DesignedElement, add_fixed_elements
@@ -170,15 +170,7 @@ class LensPicture:
         self._colour_rays()
 
     def _add(self, mesh: pv.PolyData, *, body: bool = False, **style: Any) -> Any:
-        return self._plotter.add_mesh(
-            mesh,
-            **style,
-            pickable=body,
-            copy_mesh=False,
-            show_scalar_bar=False,
-            reset_camera=False,
-            render=False,
-        )
+        return add_to(self._plotter, mesh, **style, pickable=body)
 
     def _place_elements(self, surfaces: Mapping[str, Array]) -> None:
         by = self._face_colours
