@@ -1145,6 +1145,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
+            <source>More commands</source>
+            <translation>Weitere Befehle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>The language changes at the next start.</source>
             <translation>Die Sprache ändert sich beim nächsten Start.</translation>
         </message>

@@ -1145,6 +1145,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
+            <source>More commands</source>
+            <translation>Autres commandes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
             <source>The language changes at the next start.</source>
             <translation>La langue change au prochain démarrage.</translation>
         </message>

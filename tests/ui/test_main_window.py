@@ -292,7 +292,9 @@ def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
     np.testing.assert_allclose(camera.direction, before, atol=1e-12)
 
 
-def test_a_click_on_the_compass_turns_the_camera_and_a_press_stops_it(built, qtbot, monkeypatch):
+def test_a_click_on_the_compass_turns_the_camera_and_a_press_stops_it(
+    display, built, qtbot, monkeypatch
+):
     view = built.loaded.views.scene
     qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
     plotter, picture = view._plotter, view._contents.picture

@@ -181,6 +181,8 @@ class Commands:
         for button in self.toolbar.findChildren(QToolButton):
             if button.defaultAction() in labelled:
                 button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            if button.defaultAction() is None:  # Qt's own, in a toolbar that is too narrow
+                button.setAccessibleName(tr("More commands"))
         window.addToolBar(self.toolbar)
         window.menuBar().setCornerWidget(self._workspaces(), Qt.Corner.TopRightCorner)
         self.colour_icons()

@@ -13,6 +13,7 @@ from ui.panels.panel import Panel
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.folds import Fold
 from ui.widgets.labels import WrappedLabel
+from ui.widgets.native import available_size
 from ui.widgets.search import SearchLine
 from ui.words import later, tr
 from workbench.levels import Level
@@ -59,9 +60,7 @@ class FormArea(QScrollArea):
         """Set the minimum width to that of the rows, limited by the screen."""
         super().showEvent(event)
         rows = self._content.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
-        self.setMinimumWidth(
-            min(rows, int(_MOST_OF_SCREEN * self.screen().availableSize().width()))
-        )
+        self.setMinimumWidth(min(rows, int(_MOST_OF_SCREEN * available_size(self).width())))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

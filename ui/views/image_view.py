@@ -17,6 +17,7 @@ from ui.views.shared_view import Part, Place, SharedView
 from ui.views.tools import ARROWS, COMMANDS, ZOOMS
 from ui.widgets.controls import filled
 from ui.widgets.labels import ElidedLabel
+from ui.widgets.native import available_size
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.axes import Extent, pixel_at
@@ -49,7 +50,7 @@ class ImageView(PlotView):
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
-        narrowest = min(_NARROWEST, self.screen().availableSize().width() // _BESIDE)
+        narrowest = min(_NARROWEST, available_size(self).width() // _BESIDE)
         self._canvas.setMinimumWidth(narrowest)
         self._values: Array | None = None
         self._pointed: Place | None = None

@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QRect, QSize, QSizeF, Qt
-from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtGui import QGuiApplication, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 
@@ -13,6 +13,17 @@ def application() -> QApplication:
     if not isinstance(found, QApplication):
         raise RuntimeError("make the application before its widgets")
     return found
+
+
+def available_size(widget: QWidget) -> QSize:
+    """Return the size of the screen that a widget is on, without bars of the desktop.
+
+    Not by `QWidget.screen`: PySide6 makes what that returns a child of the widget, and where
+    Python collects both, the screen of other windows is gone and hiding one of them crashes.
+    """
+    place = widget.mapToGlobal(widget.rect().center())
+    screen = QGuiApplication.screenAt(place) or QGuiApplication.primaryScreen()
+    return screen.availableSize()
 
 
 def make_native(widget: QWidget) -> None:

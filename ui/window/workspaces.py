@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import LOOK, Commands
 from ui.commands.panes import WORKSPACES, Tabs, Workspace
+from ui.widgets.native import available_size
 from ui.window.docks import Panes
 from ui.words import tr
 
@@ -54,7 +55,7 @@ class Workspaces(QObject):
         desk.installEventFilter(self)
         window = desk.window()
         self._aspect = 1.0  # width over height of the image of light
-        available = window.screen().availableSize()
+        available = available_size(window)
         window.resize((available * _SHARE_OF_SCREEN).expandedTo(_SIZE).boundedTo(available))
         framed = window.size() + _DESKTOP_FRAME
         if framed.boundedTo(available) != framed:  # the desktop knows best what fits in
@@ -82,7 +83,7 @@ class Workspaces(QObject):
         """Arrange the workspace as it is from the start; the custom one as *Design*."""
         self._settings.remove(self._key)
         window = self._desk.window()
-        window.resize(window.size().boundedTo(window.screen().availableSize()))
+        window.resize(window.size().boundedTo(available_size(window)))
         self._arrange()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

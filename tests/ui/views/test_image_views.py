@@ -1,12 +1,14 @@
 """Images of the screen: zoomed and moved together, read under the pointer, cut along lines."""
 
+import gc
 import math
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
+from shiboken6 import isValid
 
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
@@ -183,6 +185,16 @@ def test_all_images_are_at_the_same_place(size, frame, show):
         places.add((canvas.mapTo(view, QPoint()).toTuple(), canvas.size().toTuple()))
         view.close_threads()
     assert len(places) == 1
+
+
+def test_the_screen_outlives_views_that_are_collected_while_they_are_shown(show):
+    for _ in range(10):
+        for kind in (IrradianceView, TargetView, FocusView, DerivativeView):
+            view = show(kind(), 400, 300)
+            view.close_threads()
+        del view
+        gc.collect()
+        assert all(isValid(screen) and screen.name() for screen in QGuiApplication.screens())
 
 
 def test_a_photo_and_through_focus_zoom_with_the_light(views, frame, show, qtbot):
