@@ -114,7 +114,7 @@ class MainWindow(QMainWindow):
         loaded.state_changed.connect(self._show_state)
         loaded.state_changed.connect(self._show_recent)
         loaded.state_changed.connect(self._watch_run)
-        loaded.check.checked.connect(lambda: self.workspaces.reveal("check", "check"))
+        loaded.check.asked.connect(lambda: self.workspaces.reveal("check", "check"))
         loaded.control.ended.connect(self._end_run)
         self.pages.start_shown.connect(loaded.follow.hold)
         loaded.follow.hold(self.pages.at_start)

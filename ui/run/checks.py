@@ -20,6 +20,7 @@ from workbench.powers import written
 if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.analysis.validation_figures import Validation
+    from workbench.design.lens_state import LensState
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
@@ -43,6 +44,12 @@ class CheckedLens:
     irradiance: Array | None = None
     further: tuple[Array, ...] = ()
 
+    @classmethod
+    def of(cls, session: "Session", state: "LensState", iterations: int = 0) -> "CheckedLens":
+        """A lens with its own images, for their difference to the check."""
+        further = tuple(light.irradiance for light in state.further)
+        return cls(session, state.heights, iterations, state.irradiance, further)
+
 
 def check(
     lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
@@ -63,8 +70,9 @@ def check(
 
 
 class Check(QObject):
-    """A check of the shown lens, dropped when another one is shown."""
+    """A check of the shown lens, asked for or of a run's end; dropped with the lens."""
 
+    asked = Signal()
     under_way_changed = Signal(bool)
     checked = Signal(object, object, object)  # CheckedLens, Validation, float
     summary_ready = Signal(str)
@@ -103,18 +111,25 @@ class Check(QObject):
             self._forget()
         elif self._shown is None:
             self.failed.emit(tr("The image is still being computed. Try again in a moment."))
-        elif self._asked is None or self._asked_rays != self._rays:
-            self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
-            self._asked, self._asked_rays = self._shown, self._rays
-            session, shot = self._shown.session, self._shown.snapshot
-            lens = CheckedLens(
-                session,
-                shot.state.heights,
-                irradiance=shot.state.irradiance,
-                further=tuple(light.irradiance for light in shot.state.further),
-            )
-            work = partial(check, lens, self._rays, None, ACCURACY)
-            self.background.begin(work, lens, tr("Check"))
+        else:
+            self.asked.emit()
+            if self._asked is None or self._asked_rays != self._rays:
+                self.under_way_changed.emit(True)  # first: what follows shows its best lens
+                self._begin(self._shown)
+
+    def take(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
+        """Take over the check of a run's lens while that is shown."""
+        shown = self._shown
+        alike = shown is not None and shown.state.heights == lens.heights
+        if shown is not None and alike and lit_alike(shown.session, lens.session):
+            self._asked, self._asked_rays = shown, RAYS
+            self.checked.emit(lens, found, difference)
+
+    def _begin(self, shown: "Frame") -> None:
+        self._asked, self._asked_rays = shown, self._rays
+        lens = CheckedLens.of(shown.session, shown.state)
+        work = partial(check, lens, self._rays, None, ACCURACY)
+        self.background.begin(work, lens, tr("Check"))
 
     def cancel(self) -> None:
         if self.background.busy:
@@ -174,6 +189,7 @@ class RunCheck(QObject):
     """Checks lenses at stage ends, at intervals on an idle core, and at the end of a run."""
 
     checked = Signal(object, object)  # CheckedLens, Validation
+    ended = Signal(object, object, object)  # CheckedLens, Validation, float: of a run's end
     failed = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
@@ -222,14 +238,17 @@ class RunCheck(QObject):
         result, frame = self._document.session.result, self._last
         self._last, self._result = None, result
         if result is not None and frame is not None:
-            self._end = CheckedLens(self._document.session, result.state.heights, result.iterations)
+            session = self._document.session
+            self._end = CheckedLens.of(session, result.state, result.iterations)
             work = partial(check, self._end, RAYS, None, ACCURACY)
             self.background.begin(work, self._end, tr("Check of the run"))
 
-    def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, None] | None") -> None:
+    def _show_outcome(
+        self, lens: CheckedLens, outcome: "tuple[Validation, float | None] | None"
+    ) -> None:
         if outcome is None:  # stopped
             return
-        found, _ = outcome
+        found, difference = outcome
         if found.contradiction:
             self.failed.emit(tr(found.contradiction))
             return
@@ -238,6 +257,7 @@ class RunCheck(QObject):
         if lens is self._end and self._result is not None:
             self._document.verified.note(self._result, found)  # also while its run is undone
             history.add_later_check(verified, self._result, self._document.session)
+            self.ended.emit(lens, found, difference)
         else:
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began

@@ -134,6 +134,7 @@ class LoadedParts(QObject):
         check.under_way_changed.connect(figures.follow)
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
+        self.runs.check.ended.connect(check.take)
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)

@@ -77,6 +77,23 @@ def test_an_error_below_the_scatter_of_the_rays_is_shown_as_a_bound():
     assert verified_error(found) == "0.40 %"
 
 
+def test_the_check_of_a_run_fills_the_table_and_is_not_done_again(
+    window, few_rays, as_seen_run, qtbot
+):
+    window.commands["workspace_design"].trigger()
+    window.loaded.control.runner._generate = as_seen_run(window.loaded.control.runner, 3)
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    figures, check = window.loaded.figures, window.loaded.check
+    qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
+    qtbot.waitUntil(lambda: is_verified(window))
+    assert window.workspaces.name == "design"
+    window.commands["check"].trigger()
+    assert window.workspaces.name == "check" and not check.background.busy
+    move_screen(window.document, 7)
+    qtbot.waitUntil(lambda: "Outdated" in figures._hint.text(), timeout=60_000)
+
+
 def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: is_verified(window), timeout=60_000)

@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
@@ -10,6 +11,9 @@ from ui.run.checks import CheckedLens
 from workbench.design.loss import relative_error
 
 pytestmark = pytest.mark.usefixtures("kernels")
+
+
+PIXELS = (32, 32)
 
 
 def found(error):
@@ -26,6 +30,7 @@ def found(error):
         efficiency=0.9,
         rays=1000,
         noise=0.001,
+        irradiance=np.ones(PIXELS),
     )
 
 
@@ -40,6 +45,8 @@ def checks(monkeypatch):
         return found(seen.error)
 
     monkeypatch.setattr("workbench.analysis.validation.validating", validating)
+    # These checks have too few figures for the table.
+    monkeypatch.setattr("ui.run.check_figures.CheckFigures.show_check", lambda *_: None)
     return seen
 
 
