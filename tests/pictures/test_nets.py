@@ -43,7 +43,7 @@ def test_points_of_the_entrance_face_lie_outside_the_glass(make_scene, plotter):
     assert shown(net._points) == 42 and (net._points._mesh.points[:, 2] < 0).all()
     plotter.render()
     for index in [(0, 0), (5, 0), (2, 4)]:
-        assert net.pick(*in_window(plotter, net.places[index])) == index
+        assert net.pick(*in_window(plotter, net.places(index))) == index
 
 
 def shown(dots):
@@ -62,9 +62,9 @@ def test_points_of_a_fine_net_are_picked_where_they_are_seen(make_scene, plotter
     plotter.camera.zoom(4)
     plotter.render()
     for index in rng.integers(0, (64, 50), (20, 2)):
-        place = net.places[tuple(index)]
+        place = net.places(tuple(index))
         i, j = net.pick(*in_window(plotter, place))
-        seen = np.array([in_window(plotter, place), in_window(plotter, net.places[i, j])])
+        seen = np.array([in_window(plotter, place), in_window(plotter, net.places((i, j)))])
         assert np.abs(seen[0] - seen[1]).max() < 1.5  # itself, or another on the same pixel
 
 
@@ -127,6 +127,6 @@ def test_nets_of_tilted_elements_stand_where_the_elements_do(plotter, rng):
     net.update(3 + 0.1 * rng.normal(size=(9, 8)))
     plotter.render()
     # The face, which is drawn in its place, is as far along the line of sight as its net.
-    ((x, y),) = Projection(plotter).pixels(net.places[4, 4][None])
+    ((x, y),) = Projection(plotter).pixels(net.places((4, 4))[None])
     assert net.pick(x, y) == (4, 4)
-    assert Projection(plotter).point(x, y) == pytest.approx(net.places[4, 4], abs=0.5)
+    assert Projection(plotter).point(x, y) == pytest.approx(net.places((4, 4)), abs=0.5)

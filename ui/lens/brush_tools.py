@@ -302,7 +302,7 @@ class Sculpt(BrushTool):
         stroke = Stroke(optic, face, heights[face], nets.locked, index, self._brush.radius)
         if stroke.moves:
             along = optic.turn[None, :, 2]
-            self._drag = _ControlDrag(heights, face, stroke, net.places[index].copy(), along, at)
+            self._drag = _ControlDrag(heights, face, stroke, net.places(index), along, at)
         else:
             self.refused.emit(
                 tr("All control points under the brush are locked. Unlock some first.")

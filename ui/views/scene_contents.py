@@ -76,7 +76,7 @@ class FaceNets(QObject):
         start, end = self._sight.line(x, y)
         found = {face: net.pick(x, y) for face, net in self._pictures.items()}
         depths = {
-            face: float((self._pictures[face].places[index] - start) @ (end - start))
+            face: float((self._pictures[face].places(index) - start) @ (end - start))
             for face, index in found.items()
             if index is not None
         }
@@ -142,7 +142,7 @@ class FaceNets(QObject):
         for face, net in self._pictures.items():
             here = face == self._face
             # What was meant for another net is left out until the tool is moved.
-            shape = net.places.shape[:2]
+            shape = net.shape
             brush, marked, locked = self._brush, self._marked, self._locks.get(face)
             if brush is not None and (brush[0][0] >= shape[0] or brush[0][1] >= shape[1]):
                 brush = None

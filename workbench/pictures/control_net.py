@@ -68,14 +68,20 @@ class ControlNetPicture:
         self.recolour(dark)
 
     @property
-    def places(self) -> Array:
-        """Positions of the control points, (n_u, n_v, 3), scene units."""
-        return self._places
+    def shape(self) -> tuple[int, int]:
+        """Numbers of control points (n_u, n_v)."""
+        return self._net.shape
+
+    def places(self, which: Any) -> Array:
+        """Positions (..., 3) of some control points, scene units; ``which`` is an index of numpy.
+
+        Those of a whole fine net would take longer than all else of a new picture.
+        """
+        return self._optic.in_scene(self._own[which])
 
     def update(self, heights: Array) -> None:
         """Set the control heights z, (n_u, n_v), scene units."""
         self._own[..., 2] = heights
-        self._places = self._optic.in_scene(self._own)
         self._resize()
         self._place()
 
@@ -141,33 +147,33 @@ class ControlNetPicture:
 
     def _resize(self) -> None:
         i, j = (count // 2 for count in self._net.shape)
-        here, *there = self._projection.pixels(self._places[[i, i - 1, i], [j, j, j - 1]])
+        here, *there = self._projection.pixels(self.places(([i, i - 1, i], [j, j, j - 1])))
         self._spacing = max(float(np.linalg.norm(seen - here)) for seen in there)
         kinds = (self._points, self._brushed, self._locks)
         for dots, part, low, high in zip(kinds, _PARTS, _SMALLEST, _LARGEST, strict=True):
             dots.resize(min(max(part * self._spacing, low), high))
 
     def _place(self) -> None:
-        places, lift = self._places, self._lift
+        places, lift = self.places, self._lift
         block, none = self._block(), np.zeros((0, 3))
-        near = none if block is None else places[block].reshape(-1, 3) + lift
+        near = none if block is None else places(block).reshape(-1, 3) + lift
         self._draw_lines(block, near)
         locked = self._locked if self._shown else None
         if block is not None:
             hidden = ~self._shaping if locked is None else ~self._shaping | locked
             near = near[~hidden[block].ravel()]
         self._points.place(near)
-        self._mark.place(none if self._marked is None else places[self._marked][None] + lift)
+        self._mark.place(none if self._marked is None else places(self._marked)[None] + lift)
         brushed = none
         if self._brush is not None:
             reached, weights = bump(self._net, *self._brush)
-            brushed = places[reached][(weights > 0) & self._shaping[reached]] + 2 * lift
+            brushed = places(reached)[(weights > 0) & self._shaping[reached]] + 2 * lift
         self._brushed.place(brushed)
-        held = none if locked is None else places[locked & self._shaping]
+        held = none if locked is None else places(locked & self._shaping)
         self._locks.place(held[:: 1 + len(held) // _MOST_LOCKS] + 2 * lift)
 
     def _block(self) -> Block | None:
-        if self._shown and self._places[..., 0].size <= _WHOLE:
+        if self._shown and math.prod(self.shape) <= _WHOLE:
             return slice(None), slice(None)
         if self._shown:
             return None if self._brush is None else _neighbourhood(self._brush[0], (_NEAR, _NEAR))

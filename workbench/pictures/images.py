@@ -8,6 +8,7 @@ where the image is right, both have the same colour, whatever the efficiency.
 """
 
 import math
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -200,6 +201,7 @@ def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap)
     return map_image(axes, name, extent, scene.receiver.pixels, colours)
 
 
+@cache  # matplotlib takes a millisecond
 def _table(name: str) -> npt.NDArray[np.uint8]:
     return np.asarray(colormaps[name](np.linspace(0, 1, _LEVELS), bytes=True)[:, :3])
 

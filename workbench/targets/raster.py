@@ -1,6 +1,7 @@
 """Polygons and pictures averaged over the pixels of a receiver."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -53,12 +54,14 @@ def averaged(image: Array, shape: tuple[int, ...]) -> Array:
     """
     if image.shape == shape:
         return image
-    down, across = (
-        _overlap(np.linspace(0, new, old + 1), new, (0, new))
-        for old, new in zip(image.shape, shape, strict=True)
-    )
+    down, across = map(_averaging, image.shape, shape)
     light: Array = down @ image @ across.T
     return light
+
+
+@lru_cache(16)  # pictures of a run are averaged over the same raster again and again
+def _averaging(old: int, new: int) -> "scipy.sparse.csr_array":
+    return _overlap(np.linspace(0, new, old + 1), new, (0, new))
 
 
 def _edges(receiver: AnyReceiver, half_u: float, half_v: float) -> list[tuple[float, float]]:

@@ -313,7 +313,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
     commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.nets.picture._shown)
-    held = drag(view, seen_at(view, view.nets.picture.places[6, 5]))
+    held = drag(view, seen_at(view, view.nets.picture.places((6, 5))))
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)

@@ -48,7 +48,7 @@ def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     tools, view, document = sculpting, sculpting.view, sculpting.document
     view.fit(look)
     picture = view.nets._pictures[face]
-    ((x, y),) = view.sight.pixels(picture.places[6, 5][None])
+    ((x, y),) = view.sight.pixels(picture.places((6, 5))[None])
     assert view.nets.aim(x, y) == (6, 5) and view.nets.face == face
     before = view.frame.state.heights
     held = drag(view, control_point(tools, (6, 5)))

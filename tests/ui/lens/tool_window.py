@@ -78,7 +78,7 @@ class Drag:
 
 
 def control_point(tools, index):
-    return seen_at(tools.view, tools.view.nets.picture.places[index])
+    return seen_at(tools.view, tools.view.nets.picture.places(index))
 
 
 def upwards(view, length):
