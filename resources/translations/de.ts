@@ -2644,21 +2644,6 @@
             <translation>Bild mit dem Teil, der bleibt</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>Crop the picture</source>
-            <translation>Bild zuschneiden</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>&amp;Whole picture</source>
-            <translation>&amp;Ganzes Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
-            <translation>Es bleiben {width:.0f} × {height:.0f} % des Bildes, Seitenverhältnis {aspect:.2f}</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>die Aufgabe hat dieses Feld nicht mehr</translation>
@@ -2840,13 +2825,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Crop…</source>
-            <translation>Zuschneiden…</translation>
+            <source>Crop and tone…</source>
+            <translation>Zuschnitt und Tonwerte…</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Choose the part of the picture that is used</source>
-            <translation>Den Teil des Bildes wählen, der verwendet wird</translation>
+            <source>Choose the part of the picture that is used, and its levels</source>
+            <translation>Den Teil des Bildes wählen, der verwendet wird, und seine Tonwerte</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -2860,8 +2845,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>crop of the picture</source>
-            <translation>Zuschnitt des Bildes</translation>
+            <source>crop and tone of the picture</source>
+            <translation>Zuschnitt und Tonwerte des Bildes</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3012,6 +2997,36 @@
             <location filename="../../ui/panels/panel.py" />
             <source>move of {part} {number}</source>
             <translation>{part} {number} verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Histogram of the picture</source>
+            <translation>Histogramm des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Drag black level, mid-tones or white level; double-click to reset all three</source>
+            <translation>Schwarzwert, Mitteltöne oder Weißwert ziehen; Doppelklick setzt alle drei zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Crop and tone of the picture</source>
+            <translation>Zuschnitt und Tonwerte des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>&amp;Whole picture</source>
+            <translation>&amp;Ganzes Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
+            <translation>Es bleiben {width:.0f} × {height:.0f} % des Bildes, Seitenverhältnis {aspect:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Peak: {peak:.1f} × the mean; black: {black:.0f} % of the area</source>
+            <translation>Spitze: {peak:.1f} × Mittelwert; schwarz: {black:.0f} % der Fläche</translation>
         </message>
         <message>
             <location filename="../../ui/panels/rows.py" />
@@ -6323,6 +6338,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>of the picture</source>
             <translation>des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black level</source>
+            <translation>Schwarzwert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel values up to this level get no light, as in the levels of a photo program. Raise it where a dark background takes light from the subject. Levels are fractions of the brightest pixel value, after the crop and the inversion.</source>
+            <translation>Pixelwerte bis hierher erhalten kein Licht, wie bei der Tonwertkorrektur eines Bildprogramms. Höher, wo ein dunkler Hintergrund dem Motiv Licht nimmt. Alle Werte sind Teile des hellsten Pixelwerts, nach Zuschnitt und Umkehrung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the brightest</source>
+            <translation>des hellsten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>White level</source>
+            <translation>Weißwert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel values from this level on are white. Lower it to cut highlights off: less contrast needs flatter slopes of the lens.</source>
+            <translation>Pixelwerte ab hier sind weiß. Niedriger schneidet Spitzlichter ab: weniger Kontrast braucht flachere Neigungen der Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gamma</source>
+            <translation>Gamma</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above 1 the mid-tones between the black level and the white level are brighter, below 1 darker: the pixel value to the power of 1/gamma.</source>
+            <translation>Über 1 sind die Mitteltöne zwischen Schwarzwert und Weißwert heller, unter 1 dunkler: der Pixelwert hoch 1/Gamma.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9855,6 +9905,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>schneidet {up:g} der Höhe weg; höchstens {most:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>at least {least:g}, above black</source>
+            <translation>mindestens {least:g}, über dem Schwarzwert</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>das Element ist verkippt, was {who} nicht berücksichtigen kann; 0</translation>
@@ -10118,6 +10173,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/targets/prepare.py" />
             <source>true leaves '{path}', which is uniform, black all over</source>
             <translation>true macht '{path}', das gleichmäßig ist, ganz schwarz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/prepare.py" />
+            <source>leaves '{path}' black all over; less leaves some light</source>
+            <translation>lässt von „{path}“ nur Schwarz; ein kleinerer Wert lässt etwas Licht</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/radiance_image.py" />

@@ -2644,21 +2644,6 @@
             <translation>Image avec la partie conservée</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>Crop the picture</source>
-            <translation>Recadrer l'image</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>&amp;Whole picture</source>
-            <translation>Image &amp;entière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/crop.py" />
-            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
-            <translation>Conservé : {width:.0f} × {height:.0f} % de l'image, rapport {aspect:.2f}</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/edits.py" />
             <source>the task no longer has this field</source>
             <translation>la tâche n'a plus ce champ</translation>
@@ -2840,13 +2825,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Crop…</source>
-            <translation>Recadrer…</translation>
+            <source>Crop and tone…</source>
+            <translation>Recadrage et tons…</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Choose the part of the picture that is used</source>
-            <translation>Choisir la partie de l'image utilisée</translation>
+            <source>Choose the part of the picture that is used, and its levels</source>
+            <translation>Choisir la partie de l'image qui est utilisée, et ses niveaux</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -2860,8 +2845,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>crop of the picture</source>
-            <translation>recadrage de l'image</translation>
+            <source>crop and tone of the picture</source>
+            <translation>recadrage et tons de l'image</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3012,6 +2997,36 @@
             <location filename="../../ui/panels/panel.py" />
             <source>move of {part} {number}</source>
             <translation>déplacement : {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Histogram of the picture</source>
+            <translation>Histogramme de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Drag black level, mid-tones or white level; double-click to reset all three</source>
+            <translation>Glisser le niveau du noir, les tons moyens ou le niveau du blanc ; un double-clic remet les trois</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Crop and tone of the picture</source>
+            <translation>Recadrage et tons de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>&amp;Whole picture</source>
+            <translation>Image &amp;entière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}</source>
+            <translation>Conservé : {width:.0f} × {height:.0f} % de l'image, rapport {aspect:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/picture_dialog.py" />
+            <source>Peak: {peak:.1f} × the mean; black: {black:.0f} % of the area</source>
+            <translation>Maximum : {peak:.1f} × la moyenne ; noir : {black:.0f} % de la surface</translation>
         </message>
         <message>
             <location filename="../../ui/panels/rows.py" />
@@ -6323,6 +6338,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>of the picture</source>
             <translation>de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black level</source>
+            <translation>Niveau du noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel values up to this level get no light, as in the levels of a photo program. Raise it where a dark background takes light from the subject. Levels are fractions of the brightest pixel value, after the crop and the inversion.</source>
+            <translation>Les valeurs de pixel jusqu'à ce niveau ne reçoivent pas de lumière, comme les niveaux d'un logiciel photo. À relever si un fond sombre prend de la lumière au sujet. Les niveaux sont des fractions de la valeur la plus claire, après le recadrage et l'inversion.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the brightest</source>
+            <translation>du plus clair</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>White level</source>
+            <translation>Niveau du blanc</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel values from this level on are white. Lower it to cut highlights off: less contrast needs flatter slopes of the lens.</source>
+            <translation>Les valeurs de pixel à partir de ce niveau sont blanches. À baisser pour couper les hautes lumières : moins de contraste demande des pentes plus faibles de la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gamma</source>
+            <translation>Gamma</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above 1 the mid-tones between the black level and the white level are brighter, below 1 darker: the pixel value to the power of 1/gamma.</source>
+            <translation>Au-dessus de 1, les tons moyens entre le noir et le blanc sont plus clairs, en dessous plus sombres : la valeur de pixel à la puissance 1/gamma.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9855,6 +9905,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>enlève {up:g} de la hauteur ; au plus {most:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>at least {least:g}, above black</source>
+            <translation>au moins {least:g}, au-dessus du noir</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/task.py" />
             <source>the element is not upright, which {who} cannot take into account; 0</source>
             <translation>l'élément est incliné, ce que {who} ne peut pas prendre en compte ; 0</translation>
@@ -10118,6 +10173,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/targets/prepare.py" />
             <source>true leaves '{path}', which is uniform, black all over</source>
             <translation>true rend '{path}', qui est uniforme, tout noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/prepare.py" />
+            <source>leaves '{path}' black all over; less leaves some light</source>
+            <translation>ne laisse que du noir de « {path} » ; une valeur plus petite laisse de la lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/radiance_image.py" />

@@ -2,9 +2,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PIL import Image
 
+from workbench.errors import Refused
 from workbench.scene import Scene
 from workbench.targets import load_target
+from workbench.targets.colour import SRGB
 
 F = np.array([[1, 1, 1, 1], [1, 0, 0, 0], [1, 1, 1, 0], [1, 0, 0, 0], [1, 0, 0, 0]])
 
@@ -118,6 +121,48 @@ def test_turns_and_cuts_come_in_this_order(load):
     np.testing.assert_allclose(cut, F[1:3, :3], atol=1e-12)
     cut = load(F, (2, 3), (2, 3), crop=[0, 0.2, 0.25, 0.4], turn="left")
     np.testing.assert_allclose(cut, np.rot90(F[1:3, :3]), atol=1e-12)
+
+
+def test_levels_change_pixel_values_before_they_become_light(load):
+    steps = np.array([[0.1, 0.2, 0.4, 0.6, 0.8, 1.0]])
+    size = (6, 1), (6.0, 1.0)
+    cut = load(steps, *size, black=0.2, white=0.8)
+    np.testing.assert_allclose(cut, [[0, 0, 1 / 3, 2 / 3, 1, 1]], atol=1e-12)
+    brighter = load(steps, *size, black=0.2, white=0.8, gamma=2.0)
+    np.testing.assert_allclose(brighter, np.sqrt(cut), atol=1e-12)
+    np.testing.assert_allclose(load(steps, *size, gamma=0.5), steps**2, atol=1e-12)
+    # Inversion comes first: what was bright is below the black level.
+    inverted = load(steps, *size, black=0.5, invert=True)
+    np.testing.assert_allclose(inverted, [[0.8, 0.6, 0.2, 0, 0, 0]], atol=1e-12)
+
+
+def test_levels_are_of_values_as_stored_and_of_the_crop(tmp_path):
+    values = np.array([[51, 102, 204, 255]], dtype=np.uint8)
+    Image.fromarray(values).save(tmp_path / "picture.png")
+    target = {"image": "picture.png", "tone": "srgb", "black": 0.2}
+    light = load_target(scene(target, (4, 1), (4.0, 1.0)), tmp_path)
+    np.testing.assert_allclose(light, SRGB.light((values / 255 - 0.2) / 0.8), atol=1e-12)
+    cut = {**target, "crop": [0, 0, 0.5, 0], "tone": "linear"}  # 102 is the brightest there
+    light = load_target(scene(cut, (2, 1), (2.0, 1.0)), tmp_path)
+    np.testing.assert_allclose(light, [[(0.5 - 0.2) / 0.8, 1]], atol=1e-12)
+
+
+def test_levels_that_leave_no_light_are_refused(load):
+    with pytest.raises(Refused, match="black all over") as refused:
+        load([[0.5, 1.0]], (2, 1), (2.0, 1.0), invert=True, black=0.5)
+    assert refused.value.path == "target.black"
+    with pytest.raises(Refused, match=r"at least 0\.51") as refused:
+        scene({"image": "picture.npy", "black": 0.5, "white": 0.5})
+    assert refused.value.path == "target.white"
+
+
+def test_files_name_levels_only_where_they_differ():
+    plain = scene({"image": "picture.npy", "black": 0.0})
+    assert not {"black", "white", "gamma"} & plain.to_data()["images"][0]["target"].keys()
+    levelled = scene({"image": "picture.npy", "black": 0.1, "gamma": 1.5})
+    written = levelled.to_data()["images"][0]["target"]
+    assert (written["black"], written["gamma"]) == (0.1, 1.5) and "white" not in written
+    assert Scene.from_json(levelled.to_json()) == levelled
 
 
 @pytest.mark.parametrize("builtin", ["rectangle", "ring", "text"])

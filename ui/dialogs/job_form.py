@@ -13,11 +13,11 @@ from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
-from workbench.scene import Finish, ImageTarget
+from workbench.scene import LEVELS, Finish, ImageTarget
 from workbench.scene.part import summary_of, title_of
 
 # What is done to pictures can be chosen later, in the window.
-_LATER = {*Finish.model_fields, "tone", "turn", "crop"} - {"viewed_from"}
+_LATER = {*Finish.model_fields, *LEVELS, "tone", "turn", "crop"} - {"viewed_from"}
 
 
 class JobForm(QScrollArea):

@@ -1,7 +1,7 @@
-"""Dialog in which a picture is cropped by dragging the edges of what is kept."""
+"""A picture that is cropped by dragging the edges of what is kept."""
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QImage,
@@ -12,9 +12,7 @@ from PySide6.QtGui import (
     QPen,
     QRegion,
 )
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
-from ui.widgets.controls import filled
 from ui.widgets.native import ScaledImage
 from ui.words import tr
 from workbench.arrays import Array
@@ -23,12 +21,12 @@ from workbench.targets.colour import SRGB
 Crop = tuple[float, float, float, float]
 """What is cut away at the left, top, right and bottom, as fractions."""
 
-_SIZE = QSize(760, 620)
 _NEAR, _HANDLE = 12.0, 7.0  # pixels from an edge that is taken hold of, and size of a handle
 _LEAST = 0.05  # of the picture is kept along each axis
 _STEP = 0.01  # of the picture for an arrow key
 _VEIL = QColor(0, 0, 0, 150)
-_WHOLE: Crop = (0.0, 0.0, 0.0, 0.0)
+WHOLE: Crop = (0.0, 0.0, 0.0, 0.0)
+"""Nothing is cut away."""
 _KEYS = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
@@ -44,9 +42,9 @@ _CURSORS = {  # by what moves along x and along y
 
 
 def grey_image(light: Array) -> QImage:
-    """Return an image of light (n_y, n_x) in greys; its peak is white."""
+    """Return an image of light (n_y, n_x) in greys; its peak, if there is any, is white."""
     # As much light of the monitor for each pixel as there is on the screen.
-    greys = (255 * SRGB.stored(light / light.max())).round().astype(np.uint8, order="C")
+    greys = (255 * SRGB.stored(light / (light.max() or 1.0))).round().astype(np.uint8, order="C")
     rows, columns = greys.shape
     image = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
     return image.copy()  # the array is gone after this
@@ -61,16 +59,18 @@ class CropView(ScaledImage):
 
     changed = Signal()
 
-    def __init__(self, light: Array, crop: Crop) -> None:
+    def __init__(self, crop: Crop) -> None:
         super().__init__()
-        rows, columns = light.shape
-        self.show_image(grey_image(light), columns / rows)
         self.crop = crop
         self._held: tuple[bool, ...] = ()  # which edges are dragged
         self._at = QPointF()
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Picture with the part that is kept"))
+
+    def show_light(self, light: Array) -> None:
+        rows, columns = light.shape
+        self.show_image(grey_image(light), columns / rows)
 
     def show_crop(self, crop: Crop) -> None:
         self.crop = crop
@@ -103,7 +103,7 @@ class CropView(ScaledImage):
         self._held = ()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self.show_crop(_WHOLE)
+        self.show_crop(WHOLE)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         step = _KEYS.get(Qt.Key(event.key()))
@@ -165,40 +165,3 @@ def _moved(cut: tuple[float, float], edges: tuple[bool, bool], by: float) -> tup
     if edges[1]:
         high = min(max(high - by, 0.0), 1 - _LEAST - low)
     return low, high
-
-
-class CropDialog(QDialog):
-    """Asks which part of a picture is kept."""
-
-    def __init__(self, light: Array, crop: Crop, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Crop the picture"))
-        self.view, self._size = CropView(light, crop), QLabel()
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        whole = buttons.addButton(tr("&Whole picture"), QDialogButtonBox.ButtonRole.ResetRole)
-        whole.clicked.connect(lambda: self.view.show_crop(_WHOLE))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), (self.view, 1), self._size, buttons)
-        self._rows, self._columns = light.shape
-        self.view.changed.connect(self._show_size)
-        self._show_size()
-        self.resize(_SIZE.boundedTo(window.window().size()))
-        self.view.setFocus()
-
-    @property
-    def crop(self) -> Crop:
-        left, top, right, bottom = (round(cut, 4) for cut in self.view.crop)
-        return left, top, right, bottom
-
-    def _show_size(self) -> None:
-        left, top, right, bottom = self.view.crop
-        width, height = 1 - left - right, 1 - top - bottom
-        aspect = width * self._columns / (height * self._rows)
-        self._size.setText(
-            tr("Kept: {width:.0f} × {height:.0f} % of the picture, aspect {aspect:.2f}").format(
-                width=100 * width, height=100 * height, aspect=aspect
-            )
-        )

@@ -1,13 +1,13 @@
 """Target of the first image, the list of all images, and the list of regions."""
 
-from collections.abc import Set
+from collections.abc import Mapping, Set
 from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-from ui.panels.crop import CropDialog, grey_image
+from ui.panels.crop import grey_image
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
@@ -68,7 +68,11 @@ class TargetPanel(PartPanel):
         self._tools = QWidget()
         row = filled(QHBoxLayout(self._tools), STRETCH, margins=0)
         for text, tip, act in (
-            (tr("Crop…"), tr("Choose the part of the picture that is used"), self.crop),
+            (
+                tr("Crop and tone…"),
+                tr("Choose the part of the picture that is used, and its levels"),
+                self.adjust,
+            ),
             (tr("Turn"), tr("Turn the picture by a quarter to the right"), self.turn),
         ):
             button = QPushButton(text)
@@ -88,22 +92,22 @@ class TargetPanel(PartPanel):
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
         self._form.setRowVisible(self._tools, session.scene.target.file is not None)
 
-    def crop(self) -> None:
-        """Ask which part of the picture is used."""
-        from workbench.targets import picture_light  # late: takes long to import
+    def adjust(self) -> None:
+        """Ask which part of the picture is used, and for its levels."""
+        from ui.panels.picture_dialog import PictureDialog  # late: takes long to import
+        from workbench.targets import stored_picture
 
-        target = self.session.scene.target
-        if not isinstance(target, ImageTarget):  # or there is no such button
+        scene = self.session.scene
+        if not isinstance(scene.target, ImageTarget):  # or there is no such button
             return
-        whole = target.model_copy(update={"crop": (0.0,) * 4, "turn": "none", "invert": False})
         try:
-            light = picture_light(whole, self.session.picture)
+            picture = stored_picture(scene.target, self.session.picture)
         except Refused as refused:
             self.refused.emit(error_text(refused))
             return
-        dialog = CropDialog(light, target.crop, self)
-        if dialog.exec() and dialog.crop != target.crop:
-            self._change("crop", tr("crop of the picture"), list(dialog.crop))
+        dialog = PictureDialog(picture, scene, self.path, self)
+        if dialog.exec() and dialog.changes:
+            self._change(tr("crop and tone of the picture"), dialog.changes)
         dialog.deleteLater()
 
     def turn(self) -> None:
@@ -111,11 +115,11 @@ class TargetPanel(PartPanel):
         target = self.session.scene.target
         if isinstance(target, ImageTarget):
             turned = {"none": "right", "right": "around", "around": "left", "left": "none"}
-            self._change("turn", tr("turn of the picture"), turned[target.turn])
+            self._change(tr("turn of the picture"), {"turn": turned[target.turn]})
 
-    def _change(self, field: str, text: str, value: object) -> None:
-        path = f"{self.path}.{field}"
-        self.edited.emit(Edit(path, text, {path: value}, waits=False))
+    def _change(self, text: str, fields: Mapping[str, object]) -> None:
+        changes = {f"{self.path}.{field}": value for field, value in fields.items()}
+        self.edited.emit(Edit(next(iter(changes)), text, changes, waits=False))
 
     def choose_image(self, path: Path) -> None:
         """Use an image file as the target; the current one is reloaded."""

@@ -52,6 +52,7 @@ from workbench.scene.spline_face import (
     SplineFace,
 )
 from workbench.scene.target import (
+    LEVELS,
     BallTarget,
     Finish,
     FlameTarget,
@@ -69,6 +70,7 @@ __all__ = [
     "DEFAULT_WAVELENGTH",
     "LARGEST_NET",
     "LENGTH",
+    "LEVELS",
     "AnyElement",
     "AnyReceiver",
     "AnyRegion",

@@ -70,6 +70,10 @@ class Finish(Part):
 
 _Cut = Annotated[float, Field(ge=0, lt=1)]
 _MOST_CUT = 0.99
+_OF_BRIGHTEST = Measure("of the brightest")
+_LEAST_SPAN = 0.01  # from the black level to the white level
+LEVELS = "black", "white", "gamma"
+"""Fields of an image target that change the tone of its picture."""
 
 
 class ImageTarget(Finish):
@@ -136,6 +140,50 @@ class ImageTarget(Finish):
             "its width and height, before it is turned.",
         ),
     ] = (0.0, 0.0, 0.0, 0.0)
+    black: Annotated[
+        float,
+        _OF_BRIGHTEST,
+        EXPERT,
+        about(
+            "Black level",
+            "Pixel values up to this level get no light, as in the levels of a photo program. "
+            "Raise it where a dark background takes light from the subject. Levels are fractions "
+            "of the brightest pixel value, after the crop and the inversion.",
+            ge=0,
+            lt=1,
+            exclude_if=lambda level: level == 0.0,
+        ),
+    ] = 0.0
+    white: Annotated[
+        float,
+        _OF_BRIGHTEST,
+        EXPERT,
+        about(
+            "White level",
+            "Pixel values from this level on are white. Lower it to cut highlights off: less "
+            "contrast needs flatter slopes of the lens.",
+            gt=0,
+            le=1,
+            exclude_if=lambda level: level == 1.0,
+        ),
+    ] = 1.0
+    gamma: Annotated[
+        float,
+        EXPERT,
+        about(
+            "Gamma",
+            "Above 1 the mid-tones between the black level and the white level are brighter, "
+            "below 1 darker: the pixel value to the power of 1/gamma.",
+            ge=0.1,
+            le=10,
+            exclude_if=lambda gamma: gamma == 1.0,
+        ),
+    ] = 1.0
+
+    @property
+    def has_levels(self) -> bool:
+        """Whether levels or gamma change the tone of the picture."""
+        return any(map(self.differs, LEVELS))
 
     @property
     def file(self) -> str | None:
@@ -148,7 +196,7 @@ class ImageTarget(Finish):
         return PurePath(self.image).name
 
     def check(self) -> None:
-        """Refuse to cut all of the picture away."""
+        """Refuse to cut all of the picture away, and a white level below the black level."""
         left, top, right, bottom = self.crop
         across, up, most = left + right, top + bottom, _MOST_CUT
         if across > most:
@@ -159,6 +207,9 @@ class ImageTarget(Finish):
         if up > most:
             high = Message("takes {up:g} of the height away; at most {most:g}", up=up, most=most)
             raise Refused("target.crop", high)
+        if self.white < self.black + _LEAST_SPAN:
+            least = self.black + _LEAST_SPAN
+            raise Refused("target.white", Message("at least {least:g}, above black", least=least))
 
 
 _Radius = Annotated[

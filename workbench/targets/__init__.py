@@ -1,5 +1,21 @@
 """Target image: light on the receiver's pixels."""
 
-from workbench.targets.prepare import draw_target, load_target, picture_aspect, picture_light
+from workbench.targets.prepare import (
+    cropped,
+    draw_target,
+    levelled,
+    load_target,
+    picture_aspect,
+    pixel_values,
+    stored_picture,
+)
 
-__all__ = ["draw_target", "load_target", "picture_aspect", "picture_light"]
+__all__ = [
+    "cropped",
+    "draw_target",
+    "levelled",
+    "load_target",
+    "picture_aspect",
+    "pixel_values",
+    "stored_picture",
+]

@@ -40,11 +40,12 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
 def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnLight:
     """Return the target image on the receiver's pixels.
 
-    The picture is cropped, turned, fitted into the receiver less the padding, or made to fill it,
-    with its aspect kept, averaged over pixels by area, and blurred; light that the blur carries
-    off the receiver is lost. Inversion acts within the picture, transparent areas included, and
-    leaves the border black. Only ratios matter: the brightest value of the picture is 1. All this
-    is in the viewer's orientation; `as_viewed` then lays the image onto the receiver.
+    The picture is cropped, inverted, given its levels, turned, fitted into the receiver less the
+    padding, or made to fill it, with its aspect kept, averaged over pixels by area, and blurred;
+    light that the blur carries off the receiver is lost. Inversion and levels act within the
+    picture, transparent areas included, and leave the border black. Only ratios matter: the
+    brightest value of the picture is 1. All this is in the viewer's orientation; `as_viewed` then
+    lays the image onto the receiver.
 
     `scene`: its target and receiver are used; `folder`: base of a relative image path; `kept`:
     content of the image file, used instead of the file. Returns the target, and remarks about its
@@ -76,17 +77,38 @@ def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
 
     ``kept`` is the content of the file, used instead of the file.
     """
-    rows, columns = picture_light(target, kept).shape
-    return float(columns / rows)
+    rows, columns = cropped(stored_picture(target, kept).light, target.crop).shape
+    aspect = float(columns / rows)
+    return 1 / aspect if _QUARTERS[target.turn] % 2 else aspect
 
 
-def picture_light(target: ImageTarget, kept: bytes | None = None) -> Array:
-    """Return the light (rows, columns) of the cropped and turned picture, at most 1.
+def stored_picture(target: ImageTarget, kept: bytes | None = None) -> Picture:
+    """Return the picture of a file, before the crop; raise Refused if it is unusable.
 
-    ``kept`` is the content of the file, used instead of the file. Raises `Refused` if it is
-    unusable.
+    ``kept`` is the content of the file, used instead of the file.
     """
-    return _picture(target, Path(target.image), _FINEST // _FINENESS, kept).light
+    return _read(target, Path(target.image), _FINEST // _FINENESS, kept)
+
+
+def cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
+    """Return a view of a picture (rows, columns) without what a crop cuts away."""
+    rows, columns = picture.shape
+    left, top = (round(cut * n) for cut, n in zip(crop[:2], (columns, rows), strict=True))
+    right, bottom = (round(cut * n) for cut, n in zip(crop[2:], (columns, rows), strict=True))
+    left, top = min(left, columns - 1), min(top, rows - 1)
+    return picture[top : max(rows - bottom, top + 1), left : max(columns - right, left + 1)]
+
+
+def pixel_values(light: Array, target: ImageTarget, tone: Tone) -> Array:
+    """Return the pixel values of light in [0, 1], inverted if the target asks for it."""
+    values = tone.stored(light)
+    return 1.0 - values if target.invert else values
+
+
+def levelled(values: Array, target: ImageTarget, tone: Tone) -> Array:
+    """Return the light in [0, 1] of pixel values after the levels of a target."""
+    span = target.white - target.black
+    return tone.light(np.clip((values - target.black) / span, 0.0, 1.0) ** (1 / target.gamma))
 
 
 def _blurred(light: Array, sigma: float) -> Array:
@@ -95,35 +117,36 @@ def _blurred(light: Array, sigma: float) -> Array:
     return np.asarray(gaussian_filter(light, sigma, mode="constant"))
 
 
-def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Picture:
+def _read(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Picture:
     tone = TONES[target.tone]
     if kept is None:
-        picture = read_picture(path, side, tone)
-    else:
-        picture = decode_picture(path, BytesIO(kept), side, tone)
-    cropped = _cropped(picture.light, target.crop)
-    light = _bright_pixels(path, cropped, target.invert, picture.tone)
+        return read_picture(path, side, tone)
+    return decode_picture(path, BytesIO(kept), side, tone)
+
+
+def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Picture:
+    picture = _read(target, path, side, kept)
+    light = _bright_pixels(path, cropped(picture.light, target.crop), target, picture.tone)
     return picture._replace(light=np.rot90(light, _QUARTERS[target.turn]))
 
 
-def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
-    rows, columns = picture.shape
-    left, top = (round(cut * n) for cut, n in zip(crop[:2], (columns, rows), strict=True))
-    right, bottom = (round(cut * n) for cut, n in zip(crop[2:], (columns, rows), strict=True))
-    left, top = min(left, columns - 1), min(top, rows - 1)
-    return picture[top : max(rows - bottom, top + 1), left : max(columns - right, left + 1)]
-
-
-def _bright_pixels(path: Path, picture: Array, invert: bool, tone: Tone) -> Array:
+def _bright_pixels(path: Path, picture: Array, target: ImageTarget, tone: Tone) -> Array:
     if not picture.any():
         black = Message("'{path}' is black all over; some light is needed", path=path)
         raise Refused("target.image", black)
     picture = picture / picture.max()
-    if invert:
-        picture = tone.light(1.0 - tone.stored(picture))
-        if not picture.any():
-            raise Refused(
-                "target.invert",
-                Message("true leaves '{path}', which is uniform, black all over", path=path),
-            )
-    return picture
+    if not (target.invert or target.has_levels):
+        return picture
+    values = pixel_values(picture, target, tone)
+    if not values.any():
+        raise Refused(
+            "target.invert",
+            Message("true leaves '{path}', which is uniform, black all over", path=path),
+        )
+    light = levelled(values, target, tone)
+    if not light.any():
+        raise Refused(
+            "target.black",
+            Message("leaves '{path}' black all over; less leaves some light", path=path),
+        )
+    return light

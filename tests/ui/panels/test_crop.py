@@ -1,17 +1,24 @@
-"""Crop of a picture by its edges, and its turn."""
+"""Crop of a picture by its edges, and its levels."""
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QDialogButtonBox
 
-from ui.panels.crop import CropDialog, CropView
+from tests.ui.hands import fill
+from ui.panels.crop import CropView
+from ui.panels.picture_dialog import PictureDialog
+from workbench.scene import Scene
+from workbench.targets.colour import SRGB
+from workbench.targets.picture import Picture
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
 def view(qtbot):
-    view = CropView(np.linspace(0.1, 1, 40 * 80).reshape(40, 80), (0.0, 0.0, 0.0, 0.0))
+    view = CropView((0.0, 0.0, 0.0, 0.0))
+    view.show_light(np.linspace(0.1, 1, 40 * 80).reshape(40, 80))
     qtbot.addWidget(view)
     view.resize(400, 300)  # the picture takes 400 × 200 pixels of it
     view.show()
@@ -55,9 +62,84 @@ def test_some_of_the_picture_is_always_kept(view, qtbot):
     assert 0.9 < left + right < 0.99
 
 
-def test_the_dialog_says_what_is_kept(qtbot, view):
-    dialog = CropDialog(np.ones((40, 80)), (0.0, 0.0, 0.5, 0.0), view)
-    qtbot.addWidget(dialog)
-    assert "50 × 100 %" in dialog._size.text() and "1.00" in dialog._size.text()
+STORED = np.tile(np.linspace(0.2, 1, 80), (40, 1))  # from dark on the left to white on the right
+
+
+@pytest.fixture
+def dialog(qtbot, view):
+    view.resize(900, 800)
+
+    def make(**target):
+        scene = Scene.from_data(
+            {
+                "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [8, 8]},
+                "source": {"kind": "collimated"},
+                "screen": {"z": 5, "half_width": [1, 1], "pixels": [16, 16]},
+                "target": {"image": "picture.png", "tone": "srgb", **target},
+            }
+        )
+        picture = Picture(SRGB.light(STORED), SRGB)
+        dialog = PictureDialog(picture, scene, "images[0].target", view)
+        dialog.show()
+        return dialog
+
+    return make
+
+
+def row(dialog, name):
+    (found,) = (row for row in dialog._entries.rows if row.path.endswith(f".{name}"))
+    return found
+
+
+def figures(dialog):
+    return dialog._figures.text()
+
+
+def test_the_dialog_says_what_is_kept(dialog):
+    dialog = dialog(crop=[0, 0, 0.5, 0])
+    assert "50 × 100 %" in figures(dialog) and "1.00" in figures(dialog)
     dialog.view.show_crop((0.123456, 0, 0, 0))
-    assert dialog.crop == (0.1235, 0, 0, 0)
+    assert dialog.changes == {"crop": (0.1235, 0, 0, 0)}
+
+
+def test_handles_of_the_histogram_set_the_levels(dialog, qtbot):
+    dialog = dialog()
+    histogram = dialog.histogram
+    assert "black: 0 %" in figures(dialog)
+
+    def at(value):
+        return round(histogram._x(value)), 40
+
+    drag(qtbot, histogram, at(0.02), at(0.6))
+    assert dialog.target.black == pytest.approx(0.6, abs=0.01)
+    assert "black: 5" in figures(dialog)  # half of the values lie below
+    drag(qtbot, histogram, at(0.99), at(0.2))
+    assert dialog.target.white == pytest.approx(dialog.target.black + 0.02)
+    drag(qtbot, histogram, at(dialog.target.white), at(0.9))
+    drag(qtbot, histogram, at(histogram.places["gamma"]), at(0.6 + 0.3 * 0.25))
+    assert dialog.target.gamma == pytest.approx(2, abs=0.15)
+    assert histogram.places["gamma"] == pytest.approx(0.675, abs=0.02)
+    qtbot.mouseDClick(histogram, LEFT, pos=QPoint(*at(0.5)))
+    assert dialog.changes == {}
+
+
+def test_levels_are_typed_and_refused(dialog, qtbot):
+    dialog = dialog()
+    fill(qtbot, row(dialog, "black").editors["images[0].target.black"], "0.25")
+    row(dialog, "invert").box.click()
+    assert dialog.changes == {"black": 0.25, "invert": True}
+    white = row(dialog, "white")
+    fill(qtbot, white.editors["images[0].target.white"], "0.1")
+    ok = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Ok)
+    assert "0.26" in white.refusal and not ok.isEnabled()
+    fill(qtbot, white.editors["images[0].target.white"], "0.5")
+    assert not white.refusal and ok.isEnabled()
+
+
+def test_the_preview_has_the_levels(dialog):
+    dialog = dialog(black=0.6, invert=True)
+
+    def grey(column):
+        return dialog.view._picture.pixelColor(column, 20).red()
+
+    assert grey(0) > grey(10) > grey(70) == 0

@@ -8,7 +8,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from tests.ui.hands import choose, editor, enter, field_row, fill, row, rows
-from ui.panels.crop import CropDialog
+from ui.panels.picture_dialog import PictureDialog
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -182,23 +182,26 @@ def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
 
 def test_a_picture_is_cropped_in_a_dialog_and_turned(forms, document, tmp_path, monkeypatch):
     image = tmp_path / "target.png"
-    buttons = [b for b in forms.findChildren(QPushButton) if b.text() in ("Crop…", "Turn")]
+    buttons = [b for b in forms.findChildren(QPushButton) if b.text() in ("Crop and tone…", "Turn")]
     assert not any(button.isVisible() for button in buttons)
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     forms.choose_image(image)
 
     def crop(dialog):
         dialog.view.show_crop((0.5, 0.25, 0.0, 0.0))
+        dialog.histogram.moved.emit("gamma", 2.0)
         return True
 
-    monkeypatch.setattr(CropDialog, "exec", crop)
+    monkeypatch.setattr(PictureDialog, "exec", crop)
     for button in buttons:
         button.click()
     target = document.session.scene.target
     assert target.crop == (0.5, 0.25, 0.0, 0.0) and target.turn == "right"
+    assert target.gamma == 2
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert document.session.scene.target.crop == (0.0,) * 4
+    assert not document.session.scene.target.has_levels
 
 
 def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
