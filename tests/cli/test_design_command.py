@@ -48,6 +48,29 @@ class TestDone:
         )
         assert progress.splitlines()[-1].startswith("10/10  loss ")
 
+    def test_fields_are_set_in_place_of_those_of_the_scene(self, freeform, scene_file, out):
+        given = "--set", "run.iterations=3", "--set", "images[0].receiver.pixels=24x16"
+        assert freeform("design", scene_file, "-o", out, *given)[0] == 0
+        session = read_session(out)
+        assert session.result.iterations == 3 and session.target.shape == (16, 24)
+        # A session is read, changed and continued in the same way.
+        again = out.with_name("again.freeform")
+        given = "--set", "images[0].target.builtin=ring"
+        assert freeform("design", out, "-o", again, *given)[0] == 0
+        assert read_session(again).scene.target.called == "Ring"
+
+    @pytest.mark.parametrize(
+        ("given", "why"),
+        [
+            ("images[0].target.radius", "field=value is needed"),
+            ("images[0].target.radius=2", "radius"),
+            ("run.seed=1..3", "one value is needed"),
+        ],
+    )
+    def test_a_field_that_cannot_be_set_is_refused(self, freeform, scene_file, out, given, why):
+        status, _, error = freeform("design", scene_file, "-o", out, "--set", given)
+        assert status == 2 and why in error and not out.exists()
+
     def test_a_too_small_height_range_is_reported_in_a_line_and_in_the_figures(
         self, freeform, scene_file, scene_data, out
     ):

@@ -30,9 +30,9 @@ def test_values(text, values):
     "text, reason",
     [
         ("run.seed", "usage: --vary 'run.seed'; field=values is needed"),
-        ("=1", "usage: --vary ''; a field is needed"),
-        ("run..seed=1", "usage: --vary 'run..seed'; a field is needed"),
-        ("[0]=1", "usage: --vary '[0]'; a field is needed"),
+        ("=1", "usage: --vary '=1'; field=values is needed"),
+        ("run..seed=1", "usage: --vary 'run..seed=1'; field=values is needed"),
+        ("[0]=1", "usage: --vary '[0]=1'; field=values is needed"),
         ("run.seed=", "run.seed: a value is empty"),
         ("run.seed=1,,2", "run.seed: a value is empty"),
         ("run.seed=4..0", "run.seed: 4..0; 1 to 10000 whole numbers upwards"),

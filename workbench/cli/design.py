@@ -4,6 +4,7 @@ import json
 import math
 import sys
 import time
+from collections.abc import Mapping
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
@@ -14,27 +15,38 @@ from workbench.cli.output import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.session import Session
 from workbench.design.snapshot import Result
-from workbench.design.task import why_light_is_not_kept, why_not_kept
+from workbench.design.task import why_light_is_not_kept, why_not_kept, with_task
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
 from workbench.process import keep_freed_memory
 from workbench.progress import given_up_when, interrupted_when
+from workbench.scene.paths import with_values
+from workbench.sweep.points import Value
 
 # From this many pixels on freed memory is returned: a run of 4096 × 4096 takes 3.1 GB, not 5.2.
 _MANY = 1 << 22
 
 
 def design(
-    path: Path, output: Path, iterations: int | None, deadline: float, as_json: bool
+    path: Path,
+    changes: Mapping[str, Value],
+    output: Path,
+    iterations: int | None,
+    deadline: float,
+    as_json: bool,
 ) -> None:
     """Run a design until a deadline of `time.perf_counter`, and write it however the run ends.
+
+    ``changes`` are values of fields, by path, in place of those of the scene.
 
     Raise Refused if the scene cannot be run or the output not be written (the lens is then kept
     elsewhere), RunFailed if the run cannot go on (the best lens is written), EndedBySignal after a
     signal (the best lens is written).
     """
     session = open_design(path)
+    if changes:
+        session = with_task(session, with_values(session.scene, changes), path.parent)
     if _pixels(session) < _MANY:  # gaps of larger arrays would not be reused
         keep_freed_memory()
     if not is_session(path):

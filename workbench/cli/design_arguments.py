@@ -29,6 +29,7 @@ def add_design(commands: Any) -> None:
         [
             "design flame.json -o flame.freeform",
             "design flame.freeform -o finer.freeform --seconds 60",
+            "design face.json -o face.freeform --set images[0].target.black=0.1",
         ],
         _run_design,
     )
@@ -52,6 +53,14 @@ def add_design(commands: Any) -> None:
     parser.add_argument(
         "--seconds", metavar="S", type=positive, default=math.inf, help="stop after this time"
     )
+    parser.add_argument(
+        "--set",
+        metavar="FIELD=VALUE",
+        action="append",
+        default=[],
+        help="value of a field in place of the scene's, by its path as in --vary of a sweep: "
+        "a number, AxB for several, true, false or text; may be given several times",
+    )
     add_json(parser)
 
 
@@ -65,9 +74,11 @@ def _may_replace(path: Path) -> bool:
 def _run_design(options: argparse.Namespace) -> None:
     begun = time.perf_counter()  # the imports below take seconds
     from workbench.cli.design import design
+    from workbench.sweep.points import parse_setting
 
     deadline = begun + options.seconds
-    design(options.scene, options.output, options.iterations, deadline, options.json)
+    changes = dict(map(parse_setting, options.set))
+    design(options.scene, changes, options.output, options.iterations, deadline, options.json)
 
 
 def add_bound(commands: Any) -> None:

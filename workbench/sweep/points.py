@@ -43,13 +43,27 @@ class Variation:
         Values are separated by commas: numbers, integers from ``a..b``, ``AxB`` for a list of
         numbers, true, false; anything else is text.
         """
-        path, sign, values = text.partition("=")
-        if not sign:
-            raise Refused("usage", f"--vary {text!r}; field=values is needed, as in run.seed=0..4")
-        if not is_path(path):
-            raise Refused("usage", f"--vary {path!r}; a field is needed, as in lens.thickness")
+        path, values = _field_and_text(f"--vary {text!r}", text, "values", "run.seed=0..4")
         found = dict.fromkeys(v for part in values.split(",") for v in _values(path, part))
         return cls(path, tuple(found))
+
+
+def parse_setting(text: str) -> tuple[str, Value]:
+    """Return path and value of ``field=value``; raise Refused if that fails.
+
+    A value is a number, ``AxB`` for a list of numbers, true or false; anything else is text.
+    """
+    path, value = _field_and_text(f"--set {text!r}", text, "value", "run.seed=1")
+    if len(found := _values(path, value)) > 1:
+        raise Refused(path, f"{value}; one value is needed")
+    return path, found[0]
+
+
+def _field_and_text(given: str, text: str, needed: str, example: str) -> tuple[str, str]:
+    path, sign, values = text.partition("=")
+    if not (sign and is_path(path)):
+        raise Refused("usage", f"{given}; field={needed} is needed, as in {example}")
+    return path, values
 
 
 def shown(value: Value) -> str:
