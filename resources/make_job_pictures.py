@@ -25,7 +25,9 @@ def make(kind: type[Job]) -> None:
     """Design a job with the answers it proposes, and write its picture."""
     window = open_window("tophat", _WINDOW)
     job = kind()
-    if isinstance(job, LensJob):  # the picture shows the screen from behind
+    if (
+        isinstance(job, LensJob) and "target" in kind.model_fields
+    ):  # the picture shows the screen from behind
         target = job.target.model_copy(update={"viewed_from": "back"})
         job = job.with_answers({"target": target.model_dump(mode="json", exclude_none=True)})
     window.document.begin(session_of(job.scene(), Path.cwd()), kind.__name__)

@@ -6516,6 +6516,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Beam</source>
+            <translation>Lichtkegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A rotationally symmetric beam with a hot spot, and spill around it.</source>
+            <translation>Ein rotationssymmetrischer Lichtkegel mit hellem Kern und Streulicht darum.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of radius and level, from the middle outwards; a smooth curve joins them. A radius is a fraction of the smaller half-width of the whole image, a level one of the peak: the radius at level 0.5 is half of the full width at half maximum, that at 0.1 half of the field width. The first level holds within its radius; beyond the last radius there is no light.</source>
+            <translation>Punkte aus Radius und Wert, von der Mitte nach außen; eine glatte Kurve verbindet sie. Ein Radius ist ein Teil der kleineren halben Breite des ganzen Bildes, ein Wert ein Teil des größten: der Radius beim Wert 0,5 ist die halbe Halbwertsbreite, der bei 0,1 die halbe Feldbreite. Der erste Wert gilt innerhalb seines Radius; jenseits des letzten Radius ist kein Licht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>radius, level</source>
+            <translation>Radius, Wert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Text</source>
             <translation>Text</translation>
         </message>
@@ -6946,13 +6966,53 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>LED close by</source>
-            <translation>Nahe LED</translation>
+            <source>Beam of a torch or downlight</source>
+            <translation>Lichtkegel einer Taschenlampe</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
-            <translation>Eine LED nahe ihrer Linse beleuchtet ein Rechteck oder eine andere Form gleichmäßig.</translation>
+            <source>An LED and its lens make a round beam of given angles, as of a torch or a downlight.</source>
+            <translation>Eine LED und ihre Linse machen einen runden Lichtkegel mit gegebenen Winkeln, wie bei einer Taschenlampe oder einem Downlight.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam angle</source>
+            <translation>Halbwertswinkel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle within which the intensity is at least half of the peak.</source>
+            <translation>Voller Winkel, in dem die Lichtstärke mindestens die Hälfte der größten ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Field angle</source>
+            <translation>Feldwinkel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle within which the intensity is at least 10 % of the peak.</source>
+            <translation>Voller Winkel, in dem die Lichtstärke mindestens 10 % der größten ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spill angle</source>
+            <translation>Streulichtwinkel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of all light of the beam.</source>
+            <translation>Voller Winkel allen Lichts des Lichtkegels.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spill</source>
+            <translation>Streulicht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity at the edge of the spill, in percent of the peak.</source>
+            <translation>Lichtstärke am Rand des Streulichts, in Prozent der größten.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6963,6 +7023,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Full width and height of the LED's bright face.</source>
             <translation>Ganze Breite und Höhe der leuchtenden Fläche der LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED close by</source>
+            <translation>Nahe LED</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
+            <translation>Eine LED nahe ihrer Linse beleuchtet ein Rechteck oder eine andere Form gleichmäßig.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -8700,6 +8770,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>unter allem</translation>
         </message>
         <message>
+            <location filename="../../workbench/jobs/lenses.py" />
+            <source>more than {least:g}, as light fades</source>
+            <translation>mehr als {least:g}, da das Licht abnimmt</translation>
+        </message>
+        <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>Estimate</source>
             <translation>Schätzung</translation>
@@ -9908,6 +9983,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/target.py" />
             <source>at least {least:g}, above black</source>
             <translation>mindestens {least:g}, über dem Schwarzwert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>{radius:g} is not above {before:g}</source>
+            <translation>{radius:g} liegt nicht über {before:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>has no light; some level above 0 is needed</source>
+            <translation>hat kein Licht; ein Wert über 0 ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />

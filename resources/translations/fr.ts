@@ -6516,6 +6516,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Beam</source>
+            <translation>Faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A rotationally symmetric beam with a hot spot, and spill around it.</source>
+            <translation>Un faisceau de révolution avec un centre clair et une lumière diffuse autour.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of radius and level, from the middle outwards; a smooth curve joins them. A radius is a fraction of the smaller half-width of the whole image, a level one of the peak: the radius at level 0.5 is half of the full width at half maximum, that at 0.1 half of the field width. The first level holds within its radius; beyond the last radius there is no light.</source>
+            <translation>Points de rayon et de niveau, du centre vers l'extérieur ; une courbe lisse les joint. Un rayon est une fraction de la plus petite demi-largeur de toute l'image, un niveau une fraction du maximum : le rayon au niveau 0,5 est la moitié de la largeur à mi-hauteur, celui à 0,1 la moitié de la largeur de champ. Le premier niveau vaut jusqu'à son rayon ; au-delà du dernier rayon, il n'y a pas de lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>radius, level</source>
+            <translation>rayon, niveau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Text</source>
             <translation>Texte</translation>
         </message>
@@ -6946,13 +6966,53 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>LED close by</source>
-            <translation>LED proche</translation>
+            <source>Beam of a torch or downlight</source>
+            <translation>Faisceau d'une lampe de poche</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
-            <translation>Une LED proche de sa lentille éclaire uniformément un rectangle ou une autre forme.</translation>
+            <source>An LED and its lens make a round beam of given angles, as of a torch or a downlight.</source>
+            <translation>Une LED et sa lentille font un faisceau rond d'angles donnés, comme une lampe de poche ou un downlight.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam angle</source>
+            <translation>Angle du faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle within which the intensity is at least half of the peak.</source>
+            <translation>Angle total dans lequel l'intensité est au moins la moitié du maximum.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Field angle</source>
+            <translation>Angle de champ</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle within which the intensity is at least 10 % of the peak.</source>
+            <translation>Angle total dans lequel l'intensité est au moins 10 % du maximum.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spill angle</source>
+            <translation>Angle de la lumière diffuse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of all light of the beam.</source>
+            <translation>Angle total de toute la lumière du faisceau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spill</source>
+            <translation>Lumière diffuse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity at the edge of the spill, in percent of the peak.</source>
+            <translation>Intensité au bord de la lumière diffuse, en pour cent du maximum.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6963,6 +7023,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Full width and height of the LED's bright face.</source>
             <translation>Largeur et hauteur totales de la face lumineuse de la LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED close by</source>
+            <translation>LED proche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
+            <translation>Une LED proche de sa lentille éclaire uniformément un rectangle ou une autre forme.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -8700,6 +8770,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>sous tout le reste</translation>
         </message>
         <message>
+            <location filename="../../workbench/jobs/lenses.py" />
+            <source>more than {least:g}, as light fades</source>
+            <translation>plus de {least:g}, car la lumière diminue</translation>
+        </message>
+        <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>Estimate</source>
             <translation>Estimation</translation>
@@ -9908,6 +9983,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/target.py" />
             <source>at least {least:g}, above black</source>
             <translation>au moins {least:g}, au-dessus du noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>{radius:g} is not above {before:g}</source>
+            <translation>{radius:g} n'est pas au-dessus de {before:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>has no light; some level above 0 is needed</source>
+            <translation>n'a pas de lumière ; il faut un niveau au-dessus de 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />

@@ -16,6 +16,7 @@ from workbench.jobs.lenses import (
     StreetLight,
     SunPlate,
     Torch,
+    TorchBeam,
     WallWasher,
 )
 from workbench.targets import load_target
@@ -97,6 +98,32 @@ def test_a_mirror_has_its_image_at_the_distance_and_angle_asked_for(aside):
     assert math.hypot(x, z) == pytest.approx(100.0)
     assert math.degrees(math.atan2(x, -z)) == pytest.approx(aside)
     assert np.cross(screen.sides[2], screen.position) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_torch_has_the_beam_and_field_angle_asked_for():
+    answers = {"beam_angle": 12.0, "field_angle": 30.0, "spill_angle": 60.0, "spill": 2.0}
+    scene = TorchBeam().with_answers(answers).scene()
+    light, receiver = load_target(scene, Path()), scene.receiver
+    n_x, n_y = receiver.pixels
+    row = light[n_y // 2 - 1 : n_y // 2 + 1].mean(axis=0)
+    degrees, _ = receiver.from_pixels(np.arange(n_x) + 0.5, 0.0)
+    for full, level in ((12.0, 0.5), (30.0, 0.1)):
+        assert np.interp(full / 2, degrees, row) == pytest.approx(level, abs=0.02)
+    assert np.interp(29.0, degrees, row) == pytest.approx(0.02, abs=2e-3)
+    assert not row[degrees > 31].any()
+
+
+@pytest.mark.parametrize(
+    ("answers", "path"),
+    [
+        ({"field_angle": 20.0}, "field_angle"),
+        ({"spill_angle": 39.0}, "spill_angle"),
+    ],
+)
+def test_angles_of_a_torch_grow_outwards(answers, path):
+    with pytest.raises(Refused) as refused:
+        TorchBeam().with_answers(answers)
+    assert refused.value.path == path
 
 
 @pytest.mark.parametrize(

@@ -165,7 +165,7 @@ def test_files_name_levels_only_where_they_differ():
     assert Scene.from_json(levelled.to_json()) == levelled
 
 
-@pytest.mark.parametrize("builtin", ["rectangle", "ring", "text"])
+@pytest.mark.parametrize("builtin", ["rectangle", "ring", "beam", "text"])
 def test_shapes_are_written_and_read_back(builtin):
     task = scene({"builtin": builtin})
     assert Scene.from_json(task.to_json()) == task

@@ -2,7 +2,14 @@ import numpy as np
 import pytest
 
 from workbench.errors import Refused
-from workbench.scene import RectangleTarget, RingTarget, Screen, TextTarget
+from workbench.scene import (
+    BeamTarget,
+    FarField,
+    RectangleTarget,
+    RingTarget,
+    Screen,
+    TextTarget,
+)
 from workbench.targets.raster import coverage
 from workbench.targets.shapes import draw, flame
 
@@ -43,6 +50,51 @@ def test_a_rectangle_and_a_ring_have_their_areas():
     area = np.pi * 0.8**2 * (1 - 0.5**2)
     assert ring.sum() * raster.pixel_measure == pytest.approx(area, rel=1e-4)
     assert ring[13:17, 23:27].max() == 0
+
+
+def test_a_beam_goes_through_the_points_of_its_profile():
+    profile = ((0.0, 1.0), (0.2, 0.5), (0.6, 0.1), (0.9, 0.02))
+    raster = screen((401, 201), (4.01, 2.01))
+    light = draw(BeamTarget(profile=profile), raster, 1.0)
+    row = light[100, 200:]  # from the middle to the right, 1/100 of the half-width a pixel
+    for radius, level in profile[1:-1]:
+        assert row[round(100 * radius)] == pytest.approx(level, abs=0.01)
+    assert (np.diff(row) <= 1e-12).all() and row[0] == pytest.approx(1.0, abs=2e-3)
+    assert row[88] > 0.019 and not row[92:].any()
+    np.testing.assert_allclose(light[:, 200], light[100, 100:301], atol=1e-12)  # round
+
+
+def test_a_hot_spot_is_even_and_the_light_is_that_of_its_disc():
+    raster = screen((200, 200))
+    light = draw(BeamTarget(profile=((0.5, 1.0), (0.5001, 0.2), (1.0, 0.2))), raster, 0.8)
+    area = np.pi * (0.8**2) * (0.25 + 0.75 * 0.2)
+    assert light.sum() * raster.pixel_measure == pytest.approx(area, rel=2e-3)
+    assert np.unique(light[90:110, 90:110]).tolist() == [1.0]
+
+
+def test_a_beam_in_a_far_field_has_angles_from_its_direction():
+    field = FarField(half_angle=(50.0, 50.0), center=(20.0, -30.0), pixels=(101, 101))
+    light = draw(BeamTarget(profile=((0.0, 1.0), (0.8, 0.0))), field, 1.0)
+    middles = np.arange(101) + 0.5
+    h, v = map(np.radians, field.from_pixels(middles, middles[:, None]))
+    way = np.stack(np.broadcast_arrays(np.cos(v) * np.sin(h), np.sin(v), np.cos(v) * np.cos(h)))
+    angle = np.degrees(np.arccos(np.clip(np.tensordot(way[:, 50, 50], way, 1), -1, 1)))
+    inside = (angle > 4) & (angle < 36)
+    order = np.argsort(angle[inside])
+    assert (np.diff(light[inside][order]) < 2e-3).all()  # it falls with the angle alone
+    assert not light[angle > 41].any()
+
+
+@pytest.mark.parametrize(
+    ("profile", "path"),
+    [
+        (((0.0, 1.0), (0.5, 0.5), (0.5, 0.1)), r"target\.profile\[2\]\[0\]"),
+        (((0.0, 0.0), (0.5, 0.0)), r"target\.profile"),
+    ],
+)
+def test_profiles_that_are_no_beam_are_refused(profile, path):
+    with pytest.raises(Refused, match=f"^{path}: "):
+        BeamTarget(profile=profile).check()
 
 
 def test_text_stands_upright_and_fills_the_width():

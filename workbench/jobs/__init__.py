@@ -14,6 +14,7 @@ from workbench.jobs.lenses import (
     StreetLight,
     SunPlate,
     Torch,
+    TorchBeam,
     WallWasher,
 )
 from workbench.jobs.side_view import Dimension, SideView, side_view
@@ -21,6 +22,7 @@ from workbench.jobs.side_view import Dimension, SideView, side_view
 JOBS: tuple[type[Job], ...] = (
     SunPlate,
     Torch,
+    TorchBeam,
     LedRectangle,
     BeamShaper,
     WallWasher,

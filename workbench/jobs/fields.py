@@ -26,6 +26,9 @@ Distance = Annotated[
 LampDistance = Annotated[
     Positive, LENGTH, about("Lamp to lens", "From the lamp to the entrance face of the lens.")
 ]
+LampSize = Annotated[
+    Pair, LENGTH, about("LED size", "Full width and height of the LED's bright face.")
+]
 LampFlux = Annotated[
     Positive | None,
     Measure("lm", "lumen"),

@@ -72,23 +72,30 @@ _USUAL = (
 
 
 class LensJob(Job):
-    """A lens of some size and material forms a picture."""
+    """A lens of some size and material forms a picture or a beam."""
 
-    if TYPE_CHECKING:  # fields of each job, in its own order
+    if TYPE_CHECKING:  # fields of each job that asks for them, in its own order
         target: Picture
         size: Size
         material: Material
         thickness: Thickness
 
     def through_lens(
-        self, source: dict[str, Any], receiver: dict[str, Any], wavelength_um: float = GREEN_UM
+        self,
+        source: dict[str, Any],
+        receiver: dict[str, Any],
+        wavelength_um: float = GREEN_UM,
+        target: Part | None = None,
     ) -> Scene:
-        """Return the proposed scene with a source and a receiver, both as plain data."""
+        """Return the proposed scene with a source and a receiver, both as plain data.
+
+        ``target`` is for jobs that do not ask for one.
+        """
         return proposed(
             {
                 "source": source | {"wavelength_um": wavelength_um},
                 "elements": [lens(self.size, self.material)],
-                "images": [{"receiver": receiver, "target": written(self.target)}],
+                "images": [{"receiver": receiver, "target": written(target or self.target)}],
             },
             self.thickness,
         )

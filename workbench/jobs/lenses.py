@@ -1,11 +1,13 @@
 """Jobs, each with its questions and its scene."""
 
 import math
+from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import ConfigDict, Field
 
 import resources
+from workbench.errors import Refused
 from workbench.files.scene import read_scene
 from workbench.jobs.fields import (
     GREEN_UM,
@@ -15,6 +17,7 @@ from workbench.jobs.fields import (
     ImageSize,
     LampDistance,
     LampFlux,
+    LampSize,
     Material,
     Pair,
     Picture,
@@ -29,9 +32,12 @@ from workbench.jobs.fields import (
     written,
 )
 from workbench.jobs.job import Job, LensJob, proposed
+from workbench.messages import Message
 from workbench.scene import (
     AutoNet,
     AutoRun,
+    BeamTarget,
+    Measure,
     PaperRun,
     Positive,
     RectangleTarget,
@@ -85,15 +91,73 @@ class Torch(LensJob):
         return self.through_lens(light, screen(self.distance, self.image_size))
 
 
+_Angle = Annotated[float, Field(gt=0, le=170)]
+_BEYOND = 1.1  # times the angle of the light that the far field covers
+
+
+class TorchBeam(LensJob):
+    """An LED and its lens make a round beam of given angles, as of a torch or a downlight."""
+
+    model_config = ConfigDict(title="Beam of a torch or downlight")
+    asked_by: ClassVar[dict[str, str]] = {
+        "images[0].target.profile": "field_angle",
+        "images[0].receiver": "spill_angle",
+    }
+
+    beam_angle: Annotated[
+        _Angle,
+        ANGLE,
+        about("Beam angle", "Full angle within which the intensity is at least half of the peak."),
+    ] = 20.0
+    field_angle: Annotated[
+        _Angle,
+        ANGLE,
+        about("Field angle", "Full angle within which the intensity is at least 10 % of the peak."),
+    ] = 40.0
+    spill_angle: Annotated[
+        float,
+        ANGLE,
+        about("Spill angle", "Full angle of all light of the beam.", gt=0, le=160),
+    ] = 70.0
+    spill: Annotated[
+        float,
+        Measure("%", "of the peak"),
+        about("Spill", "Intensity at the edge of the spill, in percent of the peak.", ge=0, le=10),
+    ] = 1.0
+    lamp_size: LampSize = (1.0, 1.0)
+    lamp_flux: LampFlux = None
+    lamp_distance: LampDistance = 12.0
+    size: Size = (30.0, 30.0)
+    material: Material = "PMMA"
+    thickness: Thickness = None
+
+    def check(self) -> None:
+        """Refuse angles that do not grow from beam to spill."""
+        names = "beam_angle", "field_angle", "spill_angle"
+        for inner, outer in pairwise(names):
+            if getattr(self, outer) <= getattr(self, inner):
+                least = getattr(self, inner)
+                raise Refused(outer, Message("more than {least:g}, as light fades", least=least))
+        super().check()
+
+    def scene(self) -> Scene:
+        """The LED's face on the axis, and the beam in the far field."""
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
+        whole = _BEYOND * self.spill_angle
+        levels = {self.beam_angle: 0.5, self.field_angle: 0.1, self.spill_angle: self.spill / 100}
+        points = ((float(f"{angle / whole:.4g}"), level) for angle, level in levels.items())
+        target = BeamTarget(profile=((0.0, 1.0), *points), viewed_from="front")
+        field = {"kind": "far_field", "half_angle": halves((whole, whole))}
+        return self.through_lens(light, field, target=target)
+
+
 class LedRectangle(LensJob):
     """An LED close to its lens lights a rectangle or another shape evenly."""
 
     model_config = ConfigDict(title="LED close by")
 
     target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
-    lamp_size: Annotated[
-        Pair, LENGTH, about("LED size", "Full width and height of the LED's bright face.")
-    ] = (1.0, 1.0)
+    lamp_size: LampSize = (1.0, 1.0)
     lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 15.0
     size: Size = (40.0, 30.0)
@@ -174,9 +238,7 @@ class WallWasher(LensJob):
             le=1e6,
         ),
     ] = 900.0
-    lamp_size: Annotated[
-        Pair, LENGTH, about("LED size", "Full width and height of the LED's bright face.")
-    ] = (1.0, 1.0)
+    lamp_size: LampSize = (1.0, 1.0)
     lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 25.0
     size: Size = (40.0, 40.0)
@@ -200,9 +262,6 @@ class WallWasher(LensJob):
             "tilt": [math.degrees(aim), 0.0, 0.0],
             "half_width": halves(self.wall_size),
         }
-
-
-_Angle = Annotated[float, Field(gt=0, le=170)]
 
 
 class StreetLight(LensJob):

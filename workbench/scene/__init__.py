@@ -54,6 +54,7 @@ from workbench.scene.spline_face import (
 from workbench.scene.target import (
     LEVELS,
     BallTarget,
+    BeamTarget,
     Finish,
     FlameTarget,
     ImageTarget,
@@ -79,6 +80,7 @@ __all__ = [
     "AutoRun",
     "BallTarget",
     "Base",
+    "BeamTarget",
     "BoxFilter",
     "CollimatedSource",
     "ConicFace",

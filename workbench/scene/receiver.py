@@ -229,6 +229,11 @@ class AnyReceiver(Part):
         (r_u, r_v), (n_x, n_y), (mid_u, mid_v) = self.half_extent, self.pixels, self.middle
         return mid_u - r_u + column * (2 * r_u / n_x), mid_v + r_v - row * (2 * r_v / n_y)
 
+    def from_middle(self, u: Array, v: Array) -> Array:
+        """How far places on it are from its middle, in its coordinates; u and v broadcast."""
+        mid_u, mid_v = self.middle
+        return np.hypot(u - mid_u, v - mid_v)
+
     def contains(self, u: Any, v: Any) -> Any:
         """Whether places in its coordinates are on it; numpy arrays or torch tensors."""
         return self.covers(*self.to_pixels(u, v))

@@ -356,6 +356,14 @@ class FarField(AnyReceiver):
         cosines: Array = np.cos(v + rows * (math.radians(self.half_angle[1]) / n_y))
         return cosines[:, None]
 
+    def from_middle(self, u: Array, v: Array) -> Array:
+        """The angles between their directions and that of the middle."""
+        (mid_h, mid_v), h, v = np.radians(self.middle), np.radians(u), np.radians(v)
+        # Of half the chord, as the cosine of small angles loses its digits.
+        square = np.cos(v) * np.cos(mid_v) * np.sin((h - mid_h) / 2) ** 2
+        half = np.sqrt(square + np.sin((v - mid_v) / 2) ** 2)
+        return np.asarray(np.degrees(2 * np.arcsin(half)))
+
     def towards(
         self, optic: Element, place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:

@@ -1,5 +1,6 @@
 """The wanted image."""
 
+from itertools import pairwise
 from pathlib import PurePath
 from typing import Annotated, Literal
 
@@ -303,6 +304,40 @@ class RingTarget(Finish):
     ] = 0.7
 
 
+_Part = Annotated[float, Field(ge=0, le=1)]
+
+
+class BeamTarget(Finish):
+    """A rotationally symmetric beam with a hot spot, and spill around it."""
+
+    model_config = ConfigDict(title="Beam")
+
+    builtin: Literal["beam"] = "beam"
+    profile: Annotated[
+        tuple[tuple[_Part, _Part], ...],
+        Measure("radius, level"),
+        about(
+            "Profile",
+            "Points of radius and level, from the middle outwards; a smooth curve joins them. A "
+            "radius is a fraction of the smaller half-width of the whole image, a level one of the "
+            "peak: the radius at level 0.5 is half of the full width at half maximum, that at 0.1 "
+            "half of the field width. The first level holds within its radius; beyond the last "
+            "radius there is no light.",
+            min_length=2,
+            max_length=50,
+        ),
+    ] = ((0.0, 1.0), (0.25, 0.5), (0.5, 0.1), (0.9, 0.02))
+
+    def check(self) -> None:
+        """Refuse radii that do not grow, and a profile without light."""
+        for number, ((before, _), (radius, _)) in enumerate(pairwise(self.profile), start=1):
+            if radius <= before:
+                grows = Message("{radius:g} is not above {before:g}", radius=radius, before=before)
+                raise Refused(f"target.profile[{number}][0]", grows)
+        if not any(level for _, level in self.profile):
+            raise Refused("target.profile", Message("has no light; some level above 0 is needed"))
+
+
 class TextTarget(Finish):
     """Words, as large as the whole image lets them be."""
 
@@ -327,6 +362,7 @@ Target = Annotated[
     | BallTarget
     | RectangleTarget
     | RingTarget
+    | BeamTarget
     | TextTarget,
     Kinds("builtin", default="image"),
 ]

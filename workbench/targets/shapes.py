@@ -1,5 +1,6 @@
 """Built-in targets, drawn as polygons with exact pixel coverage, centred on the receiver."""
 
+from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
@@ -8,6 +9,7 @@ from workbench.arrays import Array
 from workbench.scene import (
     AnyReceiver,
     BallTarget,
+    BeamTarget,
     FlameTarget,
     RectangleTarget,
     RingTarget,
@@ -19,6 +21,7 @@ from workbench.targets.text import picture_of_text
 
 _CORNERS_OF_DISC = 1440
 _POINTS_PER_CURVE = 64
+_SAMPLES, _STEPS = 4, 4096  # samples of a beam along each side of a pixel; steps of its profile
 
 # The flame: three tongues in a box of height 1 around the origin. Each is a closed chain of
 # cubic Bézier curves; of each curve the first point and the two handles are listed, its end is
@@ -48,7 +51,9 @@ _TOWARDS_LIGHT = np.array([-0.6, 0.7, 0.35])
 _DARKEST = 0.15
 
 
-Builtin = TopHatTarget | FlameTarget | BallTarget | RectangleTarget | RingTarget | TextTarget
+Builtin = (
+    TopHatTarget | FlameTarget | BallTarget | RectangleTarget | RingTarget | BeamTarget | TextTarget
+)
 """A target that is not read from a file."""
 
 
@@ -68,6 +73,8 @@ def draw(target: Builtin, receiver: AnyReceiver, scale: float) -> Array:
         case RingTarget():
             radius = unit * target.radius
             return top_hat(receiver, radius) - top_hat(receiver, radius * target.inner)
+        case BeamTarget():
+            return beam(receiver, unit, target.profile)
         case TextTarget():
             return put(picture_of_text(target.text), receiver, (half_u, half_v))
 
@@ -76,6 +83,26 @@ def top_hat(receiver: AnyReceiver, radius: float) -> Array:
     """Uniform disc (n_y, n_x); ``radius`` in coordinates of the receiver."""
     angle = 2 * np.pi * np.arange(_CORNERS_OF_DISC) / _CORNERS_OF_DISC
     return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), receiver)
+
+
+def beam(receiver: AnyReceiver, unit: float, profile: Sequence[tuple[float, float]]) -> Array:
+    """Rotationally symmetric beam (n_y, n_x) through points of radius, in units, and level.
+
+    Between the points the level is a monotone cubic (Fritsch and Carlson), flat in the middle.
+    """
+    from scipy.interpolate import PchipInterpolator  # slow import
+
+    radii, levels = np.array(profile).T
+    if radii[0] > 0:
+        radii, levels = np.append(0.0, radii), np.append(levels[0], levels)
+    curve = PchipInterpolator(np.append(-radii[:0:-1], radii), np.append(levels[:0:-1], levels))
+    n_x, n_y = receiver.pixels
+    columns, rows = ((np.arange(n * _SAMPLES) + 0.5) / _SAMPLES for n in (n_x, n_y))
+    away = receiver.from_middle(*receiver.from_pixels(columns, rows[:, None])) / unit
+    steps = np.linspace(0.0, radii[-1], _STEPS)
+    light = np.interp(away, steps, np.maximum(curve(steps), 0.0), right=0.0)
+    averages: Array = light.reshape(n_y, _SAMPLES, n_x, _SAMPLES).mean(axis=(1, 3))
+    return averages
 
 
 def rectangle(receiver: AnyReceiver, half_extent: tuple[float, float]) -> Array:
