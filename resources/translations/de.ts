@@ -765,13 +765,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Move source</source>
-            <translation>&amp;Quelle verschieben</translation>
+            <source>&amp;Move parts</source>
+            <translation>&amp;Teile verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source, with Ctrl along z; or the screen</source>
-            <translation>Quelle ziehen, mit Strg entlang z; oder den Schirm</translation>
+            <source>Drag source, elements, the thickness of a lens, or the screen</source>
+            <translation>Quelle, Elemente, die Dicke einer Linse oder den Schirm ziehen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1960,28 +1960,13 @@
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the screen along z: {z} {unit}.</source>
-            <translation>Schirm entlang z ziehen: {z} {unit}.</translation>
+            <source>Drag a handle, with Ctrl along z: source, elements, thickness at the lower rim, distance of a screen. Shift: fine, Esc: cancel.</source>
+            <translation>Einen Griff ziehen, mit Strg entlang z: Quelle, Elemente, Dicke am unteren Rand, Abstand eines Schirms. Umschalt: fein, Esc: abbrechen.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
-            <translation>Quelle oder Element ziehen, mit Strg entlang z. Umschalt: fein, Esc: abbrechen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Collimated light has no position</source>
-            <translation>Kollimiertes Licht hat keine Position</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. </source>
-            <translation>Quelle ziehen, mit Strg entlang z; oder Pfeile, Bild auf und Bild ab. Umschalt: fein, Esc: abbrechen. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag corners to resize. </source>
-            <translation>Ecken ziehen ändert die Größe. </translation>
+            <source>Arrows, Page Up and Page Down move the source.</source>
+            <translation>Pfeile, Bild auf und Bild ab bewegen die Quelle.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2032,21 +2017,6 @@
             <location filename="../../ui/lens/tools.py" />
             <source>invert locks</source>
             <translation>Sperren umkehren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the source</source>
-            <translation>Quelle verschieben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the element</source>
-            <translation>Element verschieben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the screen</source>
-            <translation>Schirm verschieben</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -4498,6 +4468,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Stop the run first, then mark regions.</source>
             <translation>Erst den Lauf anhalten, dann Ausschnitte markieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Edit {part} in the form</source>
+            <translation>{part} im Formular bearbeiten</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -9505,6 +9480,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Linsen bis dorthin</translation>
         </message>
         <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the source</source>
+            <translation>Quelle verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the element</source>
+            <translation>Element verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>change the thickness</source>
+            <translation>Dicke ändern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the screen</source>
+            <translation>Schirm verschieben</translation>
+        </message>
+        <message>
             <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>dieser Lauf</translation>
@@ -9523,6 +9518,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/pictures/loss.py" />
             <source>loss</source>
             <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/parts.py" />
+            <source>source</source>
+            <translation>Quelle</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/regions.py" />

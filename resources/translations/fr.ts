@@ -765,13 +765,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>&amp;Move source</source>
-            <translation>&amp;Déplacer la source</translation>
+            <source>&amp;Move parts</source>
+            <translation>&amp;Déplacer des pièces</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Drag the source, with Ctrl along z; or the screen</source>
-            <translation>Faire glisser la source, avec Ctrl selon z ; ou l'écran</translation>
+            <source>Drag source, elements, the thickness of a lens, or the screen</source>
+            <translation>Glisser la source, des éléments, l'épaisseur d'une lentille ou l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1960,28 +1960,13 @@
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the screen along z: {z} {unit}.</source>
-            <translation>Faites glisser l'écran le long de z : {z} {unit}.</translation>
+            <source>Drag a handle, with Ctrl along z: source, elements, thickness at the lower rim, distance of a screen. Shift: fine, Esc: cancel.</source>
+            <translation>Glisser une poignée, avec Ctrl le long de z : source, éléments, épaisseur au bord inférieur, distance d'un écran. Maj : fin, Échap : annuler.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.</source>
-            <translation>Glisser la source ou un élément, avec Ctrl le long de z. Maj : fin, Échap : annuler.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Collimated light has no position</source>
-            <translation>La lumière collimatée n'a pas de position</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: fine, Esc: cancel. </source>
-            <translation>Faire glisser la source, avec Ctrl selon z ; ou flèches, Page haut et Page bas. Maj : fin, Échap : annuler. </translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/move_source.py" />
-            <source>Drag corners to resize. </source>
-            <translation>Faire glisser les coins change la taille. </translation>
+            <source>Arrows, Page Up and Page Down move the source.</source>
+            <translation>Les flèches, Page préc. et Page suiv. déplacent la source.</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -2032,21 +2017,6 @@
             <location filename="../../ui/lens/tools.py" />
             <source>invert locks</source>
             <translation>inverser les verrous</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the source</source>
-            <translation>déplacer la source</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the element</source>
-            <translation>déplacer l'élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/lens/tools.py" />
-            <source>move the screen</source>
-            <translation>déplacer l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/lens/tools.py" />
@@ -4498,6 +4468,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Stop the run first, then mark regions.</source>
             <translation>Arrêtez d'abord le calcul, puis marquez les régions.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Edit {part} in the form</source>
+            <translation>Modifier {part} dans le formulaire</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -9505,6 +9480,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>lentilles jusque-là</translation>
         </message>
         <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the source</source>
+            <translation>déplacer la source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the element</source>
+            <translation>déplacer l'élément</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>change the thickness</source>
+            <translation>changer l'épaisseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>move the screen</source>
+            <translation>déplacer l'écran</translation>
+        </message>
+        <message>
             <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>cette exécution</translation>
@@ -9523,6 +9518,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/pictures/loss.py" />
             <source>loss</source>
             <translation>coût</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/parts.py" />
+            <source>source</source>
+            <translation>source</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/regions.py" />

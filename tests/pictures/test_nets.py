@@ -1,13 +1,14 @@
-"""Control nets and source handles in the 3D scene."""
+"""Control nets, handles and picked parts in the 3D scene."""
 
 import numpy as np
 import pytest
 
 from resources import path
 from workbench.pictures.control_net import ControlNetPicture
+from workbench.pictures.handles import Handles, handles_of
 from workbench.pictures.lens import LensPicture
+from workbench.pictures.parts import part_at
 from workbench.pictures.projection import Projection
-from workbench.pictures.source_handles import SourceHandles, moved
 from workbench.scene import Scene
 
 
@@ -85,8 +86,8 @@ def handles(make_scene, plotter):
     def make(source):
         scene = make_scene({"source": source})
         LensPicture(plotter, scene, np.ones((32, 32))).fit()
-        made = SourceHandles(plotter)
-        made.show(scene.source)
+        made = Handles(plotter)
+        made.show(scene)
         plotter.ren_win.Render()
         return made, scene.source
 
@@ -96,7 +97,7 @@ def handles(make_scene, plotter):
 def test_a_point_is_its_own_handle(handles, plotter):
     made, source = handles(POINT)
     ((x, y),) = Projection(plotter).pixels(np.array([source.position]))
-    assert made.pick(x + 5, y - 5) == "middle"
+    assert made.pick(x + 5, y - 5).path == "source.position"
     assert made.pick(x + 30, y) is None
     made.show(None)
     assert made.pick(x, y) is None
@@ -106,17 +107,69 @@ def test_a_grid_has_corners_and_a_middle(handles, plotter):
     made, _ = handles(GRID)
     corners = [[-0.7, -0.5, -3.0], [-0.7, 0.5, -3.0], [0.9, -0.5, -3.0], [0.9, 0.5, -3.0]]
     seen = Projection(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.5, 0.25, -3.0]]))
-    assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
+    picked = [made.pick(x, y) for x, y in seen]
+    assert picked[:4] == made.shown[:4] and picked[4] == picked[5] == made.shown[4]
+    assert [handle.path for handle in picked[3:5]] == ["source.half_width", "source.position"]
+
+
+def dragged(scene, path, by):
+    """The scene after a drag of the last handle of a field, to three decimals."""
+    handle = [each for each in handles_of(scene) if each.path == path][-1]
+    return handle.change(scene, np.array(by), 3)
 
 
 def test_moving_rounds_to_what_a_person_would_type(make_scene):
     scene = make_scene({"source": POINT})
-    by = np.array([0.01234567, -0.1, 0.00001])
-    assert moved(scene, "middle", by, 3).source.position == (0.112, 0.1, -3.0)
-    back = moved(scene, "middle", -np.array(scene.source.position) - 1e-9, 3).source.position
-    assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
+    by = [0.01234567, -0.1, 0.00001]
+    assert dragged(scene, "source.position", by).source.position == (0.112, 0.1, -3.0)
+    back = dragged(scene, "source.position", -np.array(scene.source.position) - 1e-9)
+    assert str(back.source.position) == "(0.0, 0.0, 0.0)"  # not -0
     grid = make_scene({"source": GRID})
-    assert moved(grid, "middle", by, 3).source.position == (0.112, -0.1, -3.0)
+    assert dragged(grid, "source.position", by).source.position == (0.112, -0.1, -3.0)
+    wider = dragged(grid, "source.half_width", [0.1, -0.2, 0.0]).source
+    assert wider.half_width == (0.9, 0.3) and wider.position == grid.source.position
+
+
+def test_a_single_lens_is_moved_and_thickened(make_scene):
+    scene = make_scene()
+    lens = scene.elements[0]
+    moved = dragged(scene, "elements[0].position", [0.0, 0.1, -0.2]).elements[0]
+    assert moved.position == pytest.approx(np.add(lens.position, (0, 0.1, -0.2)))
+    thicker = dragged(scene, "elements[0].thickness", [0.5, 0.0, 0.12]).elements[0]
+    assert thicker.thickness == pytest.approx(lens.thickness + 0.12)
+    assert thicker.position == lens.position
+
+
+def test_a_tilted_lens_is_thickened_along_its_own_axis():
+    scene = Scene.from_json(path("examples", "tilted-lens.json").read_text())
+    number = next(k for k, element in enumerate(scene.elements) if any(element.tilt))
+    lens, name = scene.elements[number], f"elements[{number}].thickness"
+    (handle,) = (each for each in handles_of(scene) if each.path == name)
+    (axis,) = handle.directions[0]
+    assert abs(axis[2]) < 1 and np.linalg.norm(axis) == pytest.approx(1)
+    thicker = handle.change(scene, 0.1 * axis, 6)
+    assert thicker.elements[number].thickness == pytest.approx(lens.thickness + 0.1)
+    (after,) = (each for each in handles_of(thicker) if each.path == name)
+    np.testing.assert_allclose(after.place - handle.place, 0.1 * axis, atol=1e-9)
+
+
+def test_the_part_at_a_pixel_is_the_one_in_front(make_scene, plotter):
+    scene = make_scene({"source": POINT})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit("top")
+    plotter.render()
+    sight = Projection(plotter)
+
+    def at(*place):
+        ((x, y),) = sight.pixels(np.array([place]))
+        seen = part_at(scene, sight, x, y)
+        return seen and (seen.path, seen.called)
+
+    assert at(*POINT["position"]) == ("source", "source")
+    assert at(0.0, 0.0, 0.25) == ("elements[0]", "lens")
+    assert at(0.0, 0.0, -1.5) is None  # between them
+    LensPicture(plotter, scene, np.ones((32, 32))).fit("screen")
+    plotter.render()
+    assert at(0.5, 0.5, 5.0) == ("images[0].receiver", "screen")
 
 
 def test_nets_of_tilted_elements_stand_where_the_elements_do(plotter, rng):

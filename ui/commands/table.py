@@ -239,8 +239,8 @@ COMMANDS = {
         checked=False,
     ),
     "move_source": Command(
-        "&Move source",
-        "Drag the source, with Ctrl along z; or the screen",
+        "&Move parts",
+        "Drag source, elements, the thickness of a lens, or the screen",
         "Alt+M",
         "move-source",
         checked=False,

@@ -1,4 +1,4 @@
-"""Moves and widens the source, and moves elements of a train and the screen."""
+"""Moves source, elements and screen, widens the source, and thickens lenses."""
 
 import math
 from collections.abc import Callable, Set
@@ -8,39 +8,42 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
+from ui.panels.edits import field_at
 from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.pictures.source_handles import ElementHandle, Handle, moved
 from workbench.scene import Scene
+from workbench.scene.paths import value_at
+from workbench.units import sized
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
+    from workbench.pictures.handles import Handle
 
-_ACROSS, _ALONG = np.eye(3)[:2], np.eye(3)[2:]
 _FINE = 1 / 10  # of the movement of the hand or key, with Shift
 _STEP = 1 / 50  # of a lens's half-width, for a press of a key and each repeat
-_DIGITS = 3  # of a lens's half-width, that a place of the source is rounded to
+_DIGITS = 3  # of a lens's half-width, that lengths are rounded to
 _STEPS: dict[int, tuple[int, int, int]] = {
     **{key: (*across, 0) for key, across in ARROWS.items()},
     Qt.Key.Key_PageUp: (0, 0, 1),
     Qt.Key.Key_PageDown: (0, 0, -1),
 }
+_BY_KEYS = "source.position"
 
 
 @dataclass
 class _Drag:
     before: Scene
-    handle: Handle
+    handle: "Handle"
     at: Pointer | None  # None with a key
     by: Array  # shape (3,), scene units
 
 
 class MoveSource(Tool):
-    """The tool for the source, for elements of a train, and for the distance of the screen."""
+    """The tool for source, elements, thicknesses of lenses, and distance of the screen."""
 
     begun = Signal()
-    moved = Signal(object)  # Scene
+    moved = Signal(object, str)  # Scene, text of the step
     cancelled = Signal()
 
     cursor = Qt.CursorShape.OpenHandCursor
@@ -53,34 +56,18 @@ class MoveSource(Tool):
         super().__init__(parent)
         self._view, self._scene = view, scene
         self._drag: _Drag | None = None
+        self._value = ""  # of the field that is pointed at, or was dragged last
 
     @property
     def hint(self) -> str:
-        z = self._view.screen_z
-        if z is None:
-            return self._of_source
-        screen = tr("Drag the screen along z: {z} {unit}.").format(z=f"{z:g}", unit=self._view.unit)
-        return f"{screen} {self._of_source}"
-
-    @property
-    def _of_source(self) -> str:
-        source = self._view.source
-        if self._view.has_train:
-            return tr("Drag the source or an element, with Ctrl along z. Shift: fine, Esc: cancel.")
-        if source is None or source.place is None:
-            return tr("Collimated light has no position")
         text = tr(
-            "Drag the source, with Ctrl along z; or use arrows, Page Up and Page Down. Shift: "
-            "fine, Esc: cancel. "
+            "Drag a handle, with Ctrl along z: source, elements, thickness at the lower rim, "
+            "distance of a screen. Shift: fine, Esc: cancel."
         )
-        if len(source.corners):
-            text += tr("Drag corners to resize. ")
-        lengths = (
-            f"{tr(field.in_window.title)} {_words(getattr(source, field.name), field.times)}"
-            for field in source.fields()
-            if field.measure.power == 1
-        )
-        return f"{text}{', '.join(lengths)} {self._view.unit}"
+        by_keys = tr("Arrows, Page Up and Page Down move the source.")
+        paths = [] if self._view.handles is None else [h.path for h in self._view.handles.shown]
+        parts = (self._value, text, by_keys if _BY_KEYS in paths else "")
+        return " ".join(filter(None, parts))
 
     def press(self, at: Pointer) -> bool:
         handle = self._view.handles.pick(at.x, at.y) if self._view.handles else None
@@ -93,20 +80,25 @@ class MoveSource(Tool):
         drag, sight = self._drag, self._view.sight
         if drag is None or drag.at is None or sight is None:
             return
-        place = _place_of(drag.before, drag.handle)
-        if place is None:
-            return
-        middle = np.add(place, drag.by)
-        along = drag.handle == "screen" or (at.along and not isinstance(drag.handle, int))
-        to = _ALONG if along else _ACROSS
+        to = drag.handle.directions[at.along]
         gone = (at.x - drag.at.x, at.y - drag.at.y)
         drag.at = at
-        self._move(drag, sight.movement(middle, to, gone) @ to, at.fine)
+        self._move(drag, sight.movement(drag.handle.place + drag.by, to, gone) @ to, at.fine)
+
+    def hover(self, at: Pointer | None) -> None:
+        handles, frame = self._view.handles, self._view.frame
+        if handles is None or frame is None:
+            return
+        handle = None if at is None else handles.pick(at.x, at.y)
+        value = "" if handle is None else _in_words(frame.session.scene, handle.path)
+        if value != self._value:
+            self._value = value
+            self._view.refresh()
 
     def press_key(self, key: int) -> None:
-        source = self._view.source
-        if source is not None and source.place is not None:
-            self._begin("middle")
+        for handle in self._view.handles.shown if self._view.handles else ():
+            if handle.path == _BY_KEYS:
+                self._begin(handle)
 
     def repeat_key(self, key: int, fine: bool) -> None:
         drag, optic = self._drag, self._view.optic
@@ -118,10 +110,11 @@ class MoveSource(Tool):
 
     def cancel(self) -> None:
         drag, self._drag = self._drag, None
+        self._value = ""
         if drag is not None:
             self.cancelled.emit()
 
-    def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
+    def _begin(self, handle: "Handle", at: Pointer | None = None) -> None:
         scene = self._scene()
         if scene is not None:
             self._drag = _Drag(scene, handle, at, np.zeros(3))
@@ -129,20 +122,21 @@ class MoveSource(Tool):
 
     def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
         optic = self._view.optic
-        if optic is not None:
-            drag.by = drag.by + by * (_FINE if fine else 1.0)
-            digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
-            self.moved.emit(moved(drag.before, drag.handle, drag.by, digits))
+        if optic is None:
+            return
+        drag.by = drag.by + by * (_FINE if fine else 1.0)
+        digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
+        scene = drag.handle.change(drag.before, drag.by, digits)
+        self._value = _in_words(scene, drag.handle.path)
+        self.moved.emit(scene, drag.handle.text)
 
 
-def _place_of(scene: Scene, handle: Handle) -> tuple[float, float, float] | None:
-    if isinstance(handle, ElementHandle):
-        return scene.elements[handle.number].position
-    if handle == "screen":
-        x, y, z = scene.receiver.middle_in_scene.tolist()
-        return x, y, z
-    return scene.source.place
-
-
-def _words(lengths: tuple[float, ...], times: float) -> str:
-    return f"({', '.join(f'{times * length:g}' for length in lengths)})"
+def _in_words(scene: Scene, path: str) -> str:
+    field = field_at(scene, path)
+    if field is None:
+        return ""
+    numbers = np.ravel(value_at(scene, path)) * field.times
+    between = f" {field.between} ".replace(" ,", ",")
+    text = between.join(f"{number:g}" for number in numbers.tolist())
+    title = tr(field.in_window.title)
+    return f"{title} {sized(text, field.measure.sign_in(scene.unit))}."

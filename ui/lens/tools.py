@@ -227,14 +227,10 @@ class LensTools(QObject):
     def _key(self) -> str:
         return f"drag {self._drags}"
 
-    def _move(self, moved: Scene) -> None:
-        before = self._document.before(self._key).scene
-        text = tr("move the source") if moved.source != before.source else tr("move the element")
-        if moved.images != before.images:
-            text = tr("move the screen")
+    def _move(self, moved: Scene, text: str) -> None:
         try:
             scene = Scene.from_data(moved.to_data())
-            self._as_own(lambda: self._document.edit(scene, text, self._key))
+            self._as_own(lambda: self._document.edit(scene, tr(text), self._key))
         except Refused as refused:
             self.message.emit(error_text(refused))
             return

@@ -4,12 +4,13 @@ from collections.abc import Sequence, Set
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt, QTimer
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from ui.panels.fields import Row
 from ui.panels.panel import Panel
+from ui.widgets import theme
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.folds import Fold
 from ui.widgets.labels import WrappedLabel
@@ -21,6 +22,7 @@ from workbench.levels import Level
 _GROUPS = later({Level.LIMITS: "Limits", Level.EXPERT: "Expert"})
 _MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
 _GRID = 8  # pixels
+_MARKED = 1500  # milliseconds
 
 
 class FormArea(QScrollArea):
@@ -83,6 +85,20 @@ class FormArea(QScrollArea):
             self.search.clear()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
         self.ensureWidgetVisible(row)
+
+    def show_part(self, path: str) -> None:
+        """Select a part of the scene, scroll to its first field, and mark and focus this field."""
+        for panel in self.panels:
+            panel.select(path)
+        row = next((row for row in self._ordered if row.path.startswith(f"{path}.")), None)
+        if row is None:
+            return
+        self.reveal(row)
+        top = row.mapTo(self._content, row.rect().topLeft()).y()
+        self.verticalScrollBar().setValue(top - 2 * row.height())  # below its heading
+        row.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        mark(row, True)
+        QTimer.singleShot(_MARKED, row, partial(mark, row, False))
 
     def show_rows(self, present: Sequence[Row], refused: Set[Row]) -> None:
         """Show the rows of a scene, which they show already; refused ones are revealed."""
@@ -149,3 +165,9 @@ class FormArea(QScrollArea):
 
     def _rows(self) -> list[Row]:
         return [row for panel in self.panels for row in panel.rows]
+
+
+def mark(row: Row, on: bool) -> None:
+    """Draw the label of a row as one that was looked for."""
+    row.label.setProperty("marked", on)
+    theme.restyle(row.label)

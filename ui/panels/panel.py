@@ -81,6 +81,9 @@ class Panel(Fold):
         for level, section in self.deeper.items():
             section.setVisible(level in levels)
 
+    def select(self, path: str) -> None:
+        """Show the rows of the part at a path, where the panel has several parts."""
+
     def _form_of(self, row: Row) -> QFormLayout:
         return self.deeper[row.level].form if row.level in self.deeper else self._form
 
@@ -161,6 +164,10 @@ class ListedPanel(Panel, Generic[AnyPart]):
         self.list.show_parts(parts, self.remark(session.scene))
         self.note(f"{len(parts)}" if parts else "")
         self._bind(self.list.current)
+
+    def select(self, path: str) -> None:
+        if number := re.match(rf"{self.list.path}\[(\d+)\]", path):
+            self.list.select(int(number[1]))
 
     @abstractmethod
     def parts_of(self, scene: Scene) -> tuple[AnyPart, ...]:
@@ -263,6 +270,9 @@ class PartList(Row):
     def current(self) -> int:
         """Index of the selected part; −1 for none."""
         return self._list.currentRow()
+
+    def select(self, number: int) -> None:
+        self._list.setCurrentRow(number)
 
     def concerns(self, path: str) -> bool:
         """Whether a refusal concerns the whole list."""

@@ -1,4 +1,4 @@
-"""Contents of the 3D view: lens, rays, receivers, nets, source handles, marked points.
+"""Contents of the 3D view: lens, rays, receivers, nets, handles, marked points.
 
 They are created for a design task, and updated for each frame. Tools work on one face at a time;
 the pointer picks the net nearest to the eye.
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.actors import PointMarkers, Rule
     from workbench.pictures.control_net import ControlNetPicture
+    from workbench.pictures.handles import Handles
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
-    from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Scene
 
 
@@ -161,7 +161,6 @@ class FaceNets(QObject):
 
 
 _SPOT = 5.0  # pixels
-_BEYOND = 1.03  # of its extents: the handle of a screen, which the screen would half hide
 # What stands above the colours of faces.
 _SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean curvature")}
 _RULES = {True: "#ffffff", False: "#101820"}  # by dark
@@ -174,7 +173,7 @@ class SceneContents:
     def __init__(self, parent: QObject) -> None:
         self.nets = FaceNets(parent)
         self.picture: LensPicture | None = None
-        self.handles: SourceHandles | None = None
+        self.handles: Handles | None = None
         self.sight: Projection | None = None
         self._dots: PointMarkers | None = None
         self._rule: Rule | None = None
@@ -185,9 +184,9 @@ class SceneContents:
     ) -> "LensPicture":
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers, Rule
+        from workbench.pictures.handles import Handles
         from workbench.pictures.lens import LensPicture
         from workbench.pictures.projection import Projection
-        from workbench.pictures.source_handles import SourceHandles
 
         plotter.clear_actors()
         self.picture = LensPicture(
@@ -202,7 +201,7 @@ class SceneContents:
         self.nets.begin(plotter, session.scene, dark=dark)
         if self.handles is not None:
             self.handles.close()
-        self.handles = SourceHandles(plotter, dark=dark)
+        self.handles = Handles(plotter, dark=dark)
         self._dots = PointMarkers(plotter, _SPOT)
         self._dots.colour(_SPOTS[dark])
         self._rule = Rule(plotter, _RULES[dark])
@@ -226,19 +225,8 @@ class SceneContents:
             self._rule.place(() if tool is None else tool.ruled)
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
-        if tool is not None and tool.shows_handles:
-            scene, elements = frame.session.scene, frame.session.scene.elements
-            # At their rims: the source may be close to the vertex of the first one.
-            rims = [
-                element.in_scene(np.array([0.0, element.half_width[1], element.position[2]]))
-                for element in elements
-            ]
-            rims = rims if len(rims) > 1 else []
-            top = scene.receiver.outline(elements[-1], _BEYOND)[:, -1].mean(axis=0)
-            screen = [top] if scene.receiver.stands_at is not None else []
-            handles.show(frame.source, np.reshape(rims, (-1, 3)), np.reshape(screen, (-1, 3)))
-        else:
-            handles.show(None)
+        scene = frame.session.scene.model_copy(update={"source": frame.source})
+        handles.show(scene if tool is not None and tool.shows_handles else None)
 
     def recolour(self, *, dark: bool) -> None:
         self.nets.recolour(dark)

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEasingCurve, QEvent, QObject, Qt, QVariantAnimation, Signal
+from PySide6.QtCore import QEasingCurve, QEvent, QObject, QPoint, Qt, QVariantAnimation, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QContextMenuEvent,
@@ -32,7 +32,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
 from ui.document.frame import same_task
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
-from ui.views.tools import Pointer, Tool, ToolInput, pointer_at, steer
+from ui.views.tools import Pointer, Tool, ToolInput, pixel_at, pointer_at, steer
 from ui.views.view import View
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
@@ -46,9 +46,10 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.camera import CameraState
     from workbench.pictures.compass import Compass
+    from workbench.pictures.handles import Handles
+    from workbench.pictures.parts import SeenPart
     from workbench.pictures.projection import Projection
-    from workbench.pictures.source_handles import SourceHandles
-    from workbench.scene import Element, Scene, Source
+    from workbench.scene import Element, Scene
 
 _STOPS = QEvent.Type.MouseButtonPress, QEvent.Type.Wheel
 _NOTCH = 1.2  # times as large, by a notch of the wheel
@@ -116,22 +117,6 @@ class SceneView(View):
         return capitalised(tr(self._shown.scene.face_in_words(self.nets.face)))
 
     @property
-    def source(self) -> "Source | None":
-        """The source of the design, possibly newer than the shown rays."""
-        return None if self._session is None else self._session.scene.source
-
-    @property
-    def screen_z(self) -> float | None:
-        """Where the screen of the first image stands; None for a far field."""
-        if self._session is None or self._session.scene.receiver.stands_at is None:
-            return None
-        return self._session.scene.receiver.plane_z
-
-    @property
-    def has_train(self) -> bool:
-        return self._session is not None and len(self._session.scene.elements) > 1
-
-    @property
     def exploded(self) -> bool:
         return self._options.exploded
 
@@ -140,8 +125,8 @@ class SceneView(View):
         return "" if self._shown is None else self._shown.scene.unit
 
     @property
-    def handles(self) -> "SourceHandles | None":
-        """The handles of the source; None before the first drawing."""
+    def handles(self) -> "Handles | None":
+        """The handles of source, elements and screen; None before the first drawing."""
         return self._contents.handles
 
     @property
@@ -163,6 +148,15 @@ class SceneView(View):
 
     def drop(self) -> None:
         self._tool_input.drop()
+
+    def part_at(self, at: QPoint) -> "SeenPart | None":
+        """Return the part of the scene at a place on the monitor."""
+        if self._shown is None or self._contents.sight is None:
+            return None
+        from workbench.pictures.parts import part_at
+
+        place = pixel_at(self._plotter, self._plotter.mapFromGlobal(at).toPointF())
+        return part_at(self._drawn(self._shown.scene), self._contents.sight, *place)
 
     def refresh(self) -> None:
         """Draw what a tool has changed, its hint included."""
@@ -376,9 +370,13 @@ class SceneView(View):
 
     def _space(self, scene: "Scene") -> Array:
         from workbench.pictures.camera import scene_corners
+
+        return scene_corners(self._drawn(scene))
+
+    def _drawn(self, scene: "Scene") -> "Scene":
         from workbench.pictures.compressed import compress_distances
 
-        return scene_corners(compress_distances(scene) if self._options.exploded else scene)
+        return compress_distances(scene) if self._options.exploded else scene
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())

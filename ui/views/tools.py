@@ -264,10 +264,15 @@ class ToolInput(QObject):
 
 def pointer_at(plotter: QWidget, event: QMouseEvent | QWheelEvent) -> Pointer:
     """Where the mouse is on a plotter, in its pixels from the lower left."""
-    scale, place, keys = plotter.devicePixelRatioF(), event.position(), event.modifiers()
+    keys = event.modifiers()
     return Pointer(
-        x=place.x() * scale,
-        y=(plotter.height() - 1 - place.y()) * scale,
+        *pixel_at(plotter, event.position()),
         fine=bool(keys & Qt.KeyboardModifier.ShiftModifier),
         along=bool(keys & COMMANDS),
     )
+
+
+def pixel_at(plotter: QWidget, place: QPointF) -> tuple[float, float]:
+    """Return the pixel, from the lower left, of a place on a plotter."""
+    scale = plotter.devicePixelRatioF()
+    return place.x() * scale, (plotter.height() - 1 - place.y()) * scale

@@ -149,6 +149,7 @@ def _colour(application: QApplication) -> None:
     # Fusion's buttons of docks vanish in the dark; these are of a grey between both grounds.
     scheme = "dark" if is_dark(application.palette()) else "light"
     sheet = f"""
+        QLabel[marked="true"] {{ background: {_HIGHLIGHT}; color: white; border-radius: 2px; }}
         QLabel#refusal {{ color: {_REFUSED[scheme]}; }}
         *[refused="true"] QLineEdit, *[refused="true"] QComboBox {{
             border: 1px solid {_REFUSED[scheme]}; border-radius: 2px;

@@ -3,7 +3,8 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtCore import QObject, QPoint, QSettings, QTimer, Signal
+from PySide6.QtGui import QAction
 
 from ui.commands.actions import keep_colours
 from ui.document.shown_lens import ShownLens
@@ -84,7 +85,11 @@ class LoadedParts(QObject):
             self.manufacture.background,
             views.photo.background,
         )
-        views.scene.menu_asked.connect(early.commands.scene_menu.popup)
+        views.scene.menu_asked.connect(self._show_scene_menu)
+        menu = early.commands.scene_menu
+        self._edit_part = QAction(menu)
+        self._edit_part.triggered.connect(lambda: self._show_part(self._edit_part.data()))
+        menu.insertAction(menu.insertSeparator(menu.actions()[0]), self._edit_part)
         self._connect_run()
         self._connect_check()
         self._connect_cards()
@@ -204,6 +209,20 @@ class LoadedParts(QObject):
         data = [region.model_dump(mode="json") for region in regions]
         edit = Edit("regions", text, {"regions": data}, alone=True, waits=False)
         self._early.forms.edit(edit)
+
+    def _show_scene_menu(self, at: QPoint) -> None:
+        seen = self.views.scene.part_at(at)
+        self._edit_part.setVisible(seen is not None)
+        if seen is not None:
+            text = tr("Edit {part} in the form").format(part=tr(seen.called))
+            self._edit_part.setText(text)
+            self._edit_part.setData(seen.path)
+        self._early.commands.scene_menu.popup(at)
+
+    def _show_part(self, path: str) -> None:
+        self._early.panes.show("design")
+        # Once a dock that was hidden has its place.
+        QTimer.singleShot(0, self, partial(self._early.forms.show_part, path))
 
     def _edit(self, text: str, changes: dict[str, object]) -> None:
         path = next(iter(changes))

@@ -295,7 +295,7 @@ def scene_corners(scene: Scene) -> Array:
     """Return the corners (n, 3) of source, elements and receivers."""
     source, first = scene.source, scene.first
     before = first.front_z - 0.5 * max(first.half_width)
-    corners = [_corners(first.half_width, before), *map(_on_element, scene.elements)]
+    corners = [_corners(first.half_width, before), *map(box_around, scene.elements)]
     corners.append(_on_receiver(scene))
     if source_in_view(scene):
         corners.append(source.seen((2, 2)))
@@ -312,8 +312,8 @@ def _on_optic(optic: Element, top: float) -> Array:
     return optic.in_scene(_corners(optic.half_width, *heights))
 
 
-def _on_element(element: Element) -> Array:
-    """Corners of a box around an element."""
+def box_around(element: Element) -> Array:
+    """Corners (8, 3) of a box around an element."""
     points = np.concatenate(element_sides(element, _SIDE, _SIDE, {})).reshape(-1, 3)
     return np.array(list(product(*zip(points.min(axis=0), points.max(axis=0), strict=True))))
 

@@ -177,11 +177,15 @@ def test_painting_locks_and_unlocks(tools, drag, qtbot):
     assert not document.session.locked and view.nets.locked is None
 
 
+def has_handle(view, path):
+    return view.handles is not None and path in [each.path for each in view.handles.shown]
+
+
 def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     tools = make_tools({"source": POINT})
     view, document = tools.view, tools.document
     tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
+    qtbot.waitUntil(lambda: has_handle(view, "source.position"))
     camera, start = view._plotter.camera_position, seen_at(view, (0.0, 0.0, -3.0))
     there = seen_at(view, (0.3, -0.2, -3.0)) - start
     held = drag(view, start)
@@ -227,7 +231,7 @@ def test_a_small_source_is_moved_by_any_of_its_corners_and_keeps_its_size(make_t
     tools = make_tools({"source": {**grid, "points": [2, 2]}})
     view, corner = tools.view, (0.02, 0.02, -3.0)
     tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
+    qtbot.waitUntil(lambda: has_handle(view, "source.position"))
     held = drag(view, seen_at(view, corner))
     held.move(seen_at(view, (0.52, 0.02, -3.0)) - seen_at(view, corner))
     held.release()
@@ -244,7 +248,7 @@ def test_an_element_of_a_train_is_moved(make_tools, make_scene, drag, qtbot):
     tools = make_tools(scene=Scene.from_data(data | {"elements": [first, plate]}))
     view, document = tools.view, tools.document
     tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: len(view.handles._elements) == 2)
+    qtbot.waitUntil(lambda: has_handle(view, "elements[1].position"))
     start = seen_at(view, (0, 1, 2))  # its handle
     held = drag(view, start)
     held.move(seen_at(view, (0.3, 0.8, 2)) - start)
@@ -252,7 +256,9 @@ def test_an_element_of_a_train_is_moved(make_tools, make_scene, drag, qtbot):
     assert (x, y) == (pytest.approx(0.3, abs=0.05), pytest.approx(-0.2, abs=0.05)) and z == 2
     held.release()
     assert document.undo_stack.undoText() == "move the element"
-    qtbot.waitUntil(lambda: (x, y + 1, z) in map(tuple, view.handles._elements), timeout=20_000)
+    qtbot.waitUntil(
+        lambda: (x, y + 1, z) in [tuple(h.place) for h in view.handles.shown], timeout=20_000
+    )
     # Along the axis, but not into the lens before it.
     start = seen_at(view, (x, y + 1, 2))
     held = drag(view, start)
@@ -311,6 +317,15 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     window.build()
     view, commands, document = window.loaded.views.scene, window.commands, window.document
     qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
+    menu = commands.scene_menu
+    monkeypatch.setattr(menu, "popup", lambda at: None)
+    view.menu_asked.emit(view._plotter.mapToGlobal(seen_at(view, (0.0, 0.0, 0.25))))
+    entry = menu.actions()[0]
+    assert entry.isVisible() and entry.text() == "Edit lens in the form"
+    entry.trigger()
+    qtbot.waitUntil(lambda: window.forms.isAncestorOf(QApplication.focusWidget()))
+    view.menu_asked.emit(view._plotter.mapToGlobal(QPoint(1, 1)))
+    assert not entry.isVisible()
     commands["sculpt"].trigger()
     qtbot.waitUntil(lambda: view.nets.picture._shown)
     held = drag(view, seen_at(view, view.nets.picture.places((6, 5))))
@@ -381,14 +396,14 @@ def test_the_screen_is_dragged_along_the_axis_in_one_step(make_tools, drag, qtbo
     tools = make_tools()
     view, document = tools.view, tools.document
     tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: len(view.handles._screen) == 1)
+    qtbot.waitUntil(lambda: has_handle(view, "images[0].receiver.position"))
     scene = document.session.scene
     top = (0.0, 1.03 * scene.receiver.half_width[1], 5.0)
     start = seen_at(view, top)
     held = drag(view, start)
     held.move(seen_at(view, (*top[:2], 5.5)) - start)
     assert document.session.scene.receiver.plane_z == pytest.approx(5.5, abs=0.1)
-    assert f"z: {document.session.scene.receiver.plane_z:g} cm" in view._tool.hint
+    assert f"Position 0, 0, {document.session.scene.receiver.plane_z:g} cm" in view._tool.hint
     held.release()
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "move the screen"
@@ -404,5 +419,29 @@ def test_a_far_field_has_no_distance_to_drag(make_tools, make_scene, qtbot):
     data["images"][0]["receiver"] = far
     tools = make_tools(scene=Scene.from_data(data))
     tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: "Collimated" in tools.view._hint.text())
-    assert "screen" not in tools.view._tool.hint and not len(tools.view.handles._screen)
+    qtbot.waitUntil(lambda: has_handle(tools.view, "elements[0].position"))
+    assert not has_handle(tools.view, "images[0].receiver.position")
+    assert "Page Up" not in tools.view._tool.hint  # collimated light has no position
+
+
+def test_the_thickness_of_a_single_lens_is_dragged_in_one_step(make_tools, drag, qtbot):
+    tools = make_tools()
+    view, document = tools.view, tools.document
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: has_handle(view, "elements[0].thickness"))
+    lens = document.session.scene.elements[0]
+    (handle,) = (each for each in view.handles.shown if each.path.endswith("thickness"))
+    start, by = seen_at(view, handle.place), np.array([0.0, 0.0, 0.2])
+    qtbot.mouseMove(view._plotter, start)
+    qtbot.waitUntil(lambda: f"Thickness {lens.thickness:g} cm" in view._hint.text())
+    held = drag(view, start)
+    held.move(seen_at(view, handle.place + by) - start)
+    thicker = document.session.scene.elements[0]
+    assert thicker.thickness == pytest.approx(lens.thickness + 0.2, abs=0.05)
+    assert thicker.position == lens.position
+    assert f"Thickness {thicker.thickness:g} cm" in view._tool.hint
+    held.release()
+    assert document.undo_stack.undoText() == "change the thickness"
+    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
+    document.undo_stack.undo()
+    assert document.session.scene.elements[0] == lens

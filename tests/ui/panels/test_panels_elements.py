@@ -2,11 +2,12 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QListWidget, QToolButton
+from PySide6.QtWidgets import QApplication, QListWidget, QToolButton
 
 from tests.ui.hands import choose, enter, field_row, fill, row, rows
 from ui.document.document import Document
 from ui.panels.elements import ElementsPanel
+from ui.panels.fields import Row
 from workbench.files.session import Session
 from workbench.scene import Lens, Mirror, Scene
 
@@ -51,6 +52,26 @@ def begin_mirror(open_forms, session):
 
 def panel(forms):
     return forms.findChild(ElementsPanel)
+
+
+def test_a_part_is_shown_with_its_first_field_marked(make_session, open_forms, qtbot):
+    data = make_session({}).scene.to_data()
+    second = data["elements"][0] | {"name": "plate", "position": [0, 0, 2], "thickness": 0.2}
+    second |= {"faces": [{"shape": "plane"}, {"shape": "plane"}], "min_thickness": 0.1}
+    session = make_session({})
+    scene = Scene.from_data(data | {"elements": [data["elements"][0], second]})
+    forms = open_forms(Document(Session(scene, session.target), "train"))
+    panel(forms).unfold(False)
+    forms.search.setText("no such field")
+    for part in ("elements[1]", "elements[0]", "images[0].receiver"):
+        forms.show_part(part)
+        first = QApplication.focusWidget()
+        while not isinstance(first, Row):
+            first = first.parentWidget()
+        assert first.path.startswith(f"{part}.") and not first.visibleRegion().isEmpty()
+        assert first.label.property("marked")
+        qtbot.waitUntil(lambda row=first: not row.label.property("marked"))
+    assert panel(forms).list.current == 0
 
 
 def click(qtbot, forms, text):
