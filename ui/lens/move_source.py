@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.panels.edits import field_at
+from ui.panels.edits import field_in_words
 from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.scene import Scene
-from workbench.scene.paths import value_at
-from workbench.units import sized
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -66,8 +64,8 @@ class MoveSource(Tool):
         )
         by_keys = tr("Arrows, Page Up and Page Down move the source.")
         paths = [] if self._view.handles is None else [h.path for h in self._view.handles.shown]
-        parts = (self._value, text, by_keys if _BY_KEYS in paths else "")
-        return " ".join(filter(None, parts))
+        value = f"{self._value}." if self._value else ""
+        return " ".join(filter(None, (value, text, by_keys if _BY_KEYS in paths else "")))
 
     def press(self, at: Pointer) -> bool:
         handle = self._view.handles.pick(at.x, at.y) if self._view.handles else None
@@ -90,7 +88,7 @@ class MoveSource(Tool):
         if handles is None or frame is None:
             return
         handle = None if at is None else handles.pick(at.x, at.y)
-        value = "" if handle is None else _in_words(frame.session.scene, handle.path)
+        value = "" if handle is None else field_in_words(frame.session.scene, handle.path)
         if value != self._value:
             self._value = value
             self._view.refresh()
@@ -127,16 +125,5 @@ class MoveSource(Tool):
         drag.by = drag.by + by * (_FINE if fine else 1.0)
         digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
         scene = drag.handle.change(drag.before, drag.by, digits)
-        self._value = _in_words(scene, drag.handle.path)
+        self._value = field_in_words(scene, drag.handle.path)
         self.moved.emit(scene, drag.handle.text)
-
-
-def _in_words(scene: Scene, path: str) -> str:
-    field = field_at(scene, path)
-    if field is None:
-        return ""
-    numbers = np.ravel(value_at(scene, path)) * field.times
-    between = f" {field.between} ".replace(" ,", ",")
-    text = between.join(f"{number:g}" for number in numbers.tolist())
-    title = tr(field.in_window.title)
-    return f"{title} {sized(text, field.measure.sign_in(scene.unit))}."

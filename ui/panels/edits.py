@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.quantity import read_number
@@ -63,9 +64,7 @@ class Edit:
             return self.text
         if field.between == "×" and len({*old}) == len({*new}) == 1:  # alike along x and y
             old, new = old[:1], new[:1]
-        between = f" {field.between} ".replace(" ,", ",")
-        unit = field.measure.sign_in(after.unit)
-        change = sized(f"{between.join(old)} → {between.join(new)}", unit)
+        change = sized(f"{_joined(field, old)} → {_joined(field, new)}", _unit(field, after))
         return f"{self.name or self.text} {change}".rstrip()
 
 
@@ -89,6 +88,23 @@ def field_at(whole: Any, path: str) -> FieldDescription | None:
     part, name = holder_of(whole, path)
     fields = part.fields() if isinstance(part, Part) else ()
     return next((field for field in fields if field.name == name), None)
+
+
+def field_in_words(scene: Scene, path: str) -> str:
+    """Return title and numbers of the field at a path: Position 0, 0, 5 cm."""
+    field = field_at(scene, path)
+    if field is None:
+        return ""
+    numbers = _joined(field, _numbers(value_at(scene, path), field.times))
+    return f"{tr(field.in_window.title)} {sized(numbers, _unit(field, scene))}"
+
+
+def _joined(field: FieldDescription, numbers: list[str]) -> str:
+    return f" {field.between} ".replace(" ,", ",").join(numbers)
+
+
+def _unit(field: FieldDescription, scene: Scene) -> str:
+    return field.measure.sign_in(scene.unit)
 
 
 def has_place(scene: Scene, edit: Edit) -> bool:
