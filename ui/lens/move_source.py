@@ -104,11 +104,11 @@ class MoveSource(Tool):
             self._move(drag, _STEP * max(optic.half_width) * np.array(_STEPS[key]), fine)
 
     def release(self) -> None:
-        self._drag = None
+        self._drag = self.dragged = None
 
     def cancel(self) -> None:
-        drag, self._drag = self._drag, None
-        self._value = ""
+        drag, self._value = self._drag, ""
+        self.release()
         if drag is not None:
             self.cancelled.emit()
 
@@ -124,6 +124,7 @@ class MoveSource(Tool):
             return
         drag.by = drag.by + by * (_FINE if fine else 1.0)
         digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
-        scene = drag.handle.change(drag.before, drag.by, digits)
+        self.dragged = scene = drag.handle.change(drag.before, drag.by, digits)
         self._value = field_in_words(scene, drag.handle.path)
         self.moved.emit(scene, drag.handle.text)
+        self._view.refresh()

@@ -226,7 +226,10 @@ class SceneContents:
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         scene = frame.session.scene.model_copy(update={"source": frame.source})
-        handles.show(scene if tool is not None and tool.shows_handles else None)
+        if tool is None or not tool.shows_handles:
+            handles.show(None)
+        else:
+            handles.show(tool.dragged or scene)
 
     def recolour(self, *, dark: bool) -> None:
         self.nets.recolour(dark)

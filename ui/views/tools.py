@@ -22,6 +22,7 @@ from workbench.arrays import Array
 
 if TYPE_CHECKING:
     from workbench.pictures.camera import FittedCamera
+    from workbench.scene import Scene
 
 _Key = Qt.Key
 
@@ -56,6 +57,7 @@ class Tool(QObject):
     cursor = Qt.CursorShape.ArrowCursor
     shows_net = False
     shows_handles = False
+    dragged: "Scene | None" = None  # to which a drag has come, before it is traced
     keys: Set[int] = frozenset()
 
     @property

@@ -439,7 +439,9 @@ def test_the_thickness_of_a_single_lens_is_dragged_in_one_step(make_tools, drag,
     thicker = document.session.scene.elements[0]
     assert thicker.thickness == pytest.approx(lens.thickness + 0.2, abs=0.05)
     assert thicker.position == lens.position
-    assert f"Thickness {thicker.thickness:g} cm" in view._tool.hint
+    qtbot.waitUntil(lambda: f"Thickness {thicker.thickness:g} cm" in view._hint.text())
+    places = [each.place[2] for each in view.handles.shown if each.path.endswith("thickness")]
+    assert places == [pytest.approx(thicker.thickness)]  # the handle follows
     held.release()
     assert document.undo_stack.undoText() == "change the thickness"
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
