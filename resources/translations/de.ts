@@ -6336,8 +6336,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Pixel values from this level on are white. Lower it to cut highlights off: less contrast needs flatter slopes of the lens.</source>
-            <translation>Pixelwerte ab hier sind weiß. Niedriger schneidet Spitzlichter ab: weniger Kontrast braucht flachere Neigungen der Linse.</translation>
+            <source>Pixel values from this level on are white. Lower it to cut highlights off, so that the rest of the picture gets more of the light.</source>
+            <translation>Pixelwerte ab hier sind weiß. Niedriger schneidet Spitzlichter ab, und der Rest des Bildes erhält mehr Licht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

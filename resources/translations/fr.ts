@@ -6336,8 +6336,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Pixel values from this level on are white. Lower it to cut highlights off: less contrast needs flatter slopes of the lens.</source>
-            <translation>Les valeurs de pixel à partir de ce niveau sont blanches. À baisser pour couper les hautes lumières : moins de contraste demande des pentes plus faibles de la lentille.</translation>
+            <source>Pixel values from this level on are white. Lower it to cut highlights off, so that the rest of the picture gets more of the light.</source>
+            <translation>Les valeurs de pixel à partir de ce niveau sont blanches. À baisser pour couper les hautes lumières : le reste de l'image reçoit plus de lumière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -161,8 +161,8 @@ class ImageTarget(Finish):
         EXPERT,
         about(
             "White level",
-            "Pixel values from this level on are white. Lower it to cut highlights off: less "
-            "contrast needs flatter slopes of the lens.",
+            "Pixel values from this level on are white. Lower it to cut highlights off, so that "
+            "the rest of the picture gets more of the light.",
             gt=0,
             le=1,
             exclude_if=lambda level: level == 1.0,
