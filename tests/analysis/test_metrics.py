@@ -7,7 +7,7 @@ import pytest
 
 from tests.scenes import changed
 from workbench.analysis import metrics
-from workbench.analysis.regions import light_of_regions
+from workbench.analysis.regions import light_of_areas, light_of_lit_area, light_of_regions
 from workbench.analysis.validation import validate
 from workbench.report.figures import region_rows
 from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
@@ -58,6 +58,54 @@ class TestRegions:
         assert metrics.uniformity(image, self.TARGET) == pytest.approx(1 / (5 / 3))
 
 
+def lit_scene(changes=None):
+    return Scene.from_data(changed({"screen.pixels": [32, 32]} | (changes or {})))
+
+
+def test_the_lit_area_has_an_average_and_both_uniformities():
+    target = np.zeros((32, 32))
+    target[8:24, 8:24] = 1.0
+    image = 0.1 * target
+    image[8, 8], image[9, 9] = 0.05, 0.2
+    scene = lit_scene({"regions": [{"name": "Desk", "size": [0.25, 0.25]}]})
+    lit, desk = light_of_areas(scene, target, image)
+    mean = (254 * 0.1 + 0.05 + 0.2) / 256
+    assert (lit.name, desk.name) == ("lit area of the target", "Desk")
+    assert (lit.mean, lit.least, lit.most) == pytest.approx((mean, 0.05, 0.2))
+    figures = list(lit.figures.values())
+    assert figures[2:] == [
+        f"{0.05 / mean:.3f} × average",
+        f"{0.2 / mean:.3f} × average",
+        f"{0.05 / mean:.3f}",
+        "0.250",
+    ]
+    assert desk.uniformity == pytest.approx(1)
+
+
+def test_a_pixel_that_is_lit_in_part_does_not_count_as_dark():
+    target = np.zeros((32, 32))
+    target[8:24, 8:24] = 1.0
+    target[8, 8:24] = 0.9
+    light = light_of_lit_area(lit_scene(), target, 0.1 * target)
+    assert (light.mean, light.uniformity, light.least_over_most) == pytest.approx((0.1, 1, 1))
+
+
+def test_a_photograph_has_no_lit_area_and_an_even_target_is_the_whole_receiver(rng):
+    light = np.full((32, 32), 0.25)
+    assert light_of_lit_area(lit_scene(), rng.random((32, 32)), light) is None
+    assert light_of_lit_area(lit_scene(), np.ones((32, 32)), light).name == "whole receiver"
+    dark = light_of_lit_area(lit_scene(), np.ones((32, 32)), 0 * light)
+    assert (dark.uniformity, dark.figures["minimum"]) == (None, "–")
+
+
+def test_light_of_a_known_flux_is_stated_in_lux():
+    source = {"kind": "area", "center": [0, 0, -5], "half_width": [0.1, 0.1], "flux": 100.0}
+    scene = lit_scene({"source": source})
+    light = light_of_lit_area(scene, np.ones((32, 32)), np.full((32, 32), 0.25))
+    assert light.figures["average"] == light.figures["minimum"] == "250 · 10³ lx"
+    assert light.figures["part of the light"] == "100.00 % (100 lm)"
+
+
 SCREEN = Screen(position=(0.0, 0.0, 5.0), half_width=(2.0, 1.0), pixels=(40, 20))
 
 
@@ -89,6 +137,7 @@ def test_mean_least_and_most_follow_a_ramp():
     assert light.least == pytest.approx((1 + 1 / 40) * mean)
     assert light.most == pytest.approx((2 - 1 / 40) * mean)
     assert light.uniformity == pytest.approx((1 + 1 / 40) / 1.5)
+    assert light.least_over_most == pytest.approx((1 + 1 / 40) / (2 - 1 / 40))
 
 
 def test_a_dark_region_and_one_smaller_than_a_pixel_have_no_uniformity():
@@ -118,6 +167,7 @@ def test_a_check_tells_the_light_of_the_regions_of_its_scene():
     assert light.name == "All"
     assert light.share == pytest.approx(found.efficiency)
     assert found.to_data()["regions"][0]["share"] == light.share
-    (row,) = region_rows(found)
-    assert row.name == "All"
-    assert row.value.startswith(f"{100 * light.share:.3f} % of the light")
+    lit, row = region_rows(found)
+    assert (lit.name, row.name) == ("whole receiver", "All")
+    assert row.value.startswith(f"{100 * light.share:.2f} % of the light")
+    assert found.to_data()["lit_area"]["uniformity"] == pytest.approx(found.quality.uniformity)

@@ -57,7 +57,9 @@ def test_regions_and_differences_are_told_in_lux(make_scene, rng):
     (found,) = light_of_regions([desk], scene.receiver, light, unit)
     inside = light[10:30, 10:30]
     mean, share = inside.mean(), inside.sum() * 0.01
-    assert f"{200 * share:.4g} lm, mean {written(mean * 2e6, 'lx')}" in found.words
+    assert (
+        f"({200 * share:.4g} lm) of the light, average {written(mean * 2e6, 'lx')}" in found.words
+    )
     (plain,) = light_of_regions([desk], scene.receiver, light)
     assert plain.unit is IN_PARTS and "lx" not in plain.words
     target = rng.random((40, 40))

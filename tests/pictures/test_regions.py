@@ -34,4 +34,4 @@ def test_each_region_says_its_share_and_how_even_it_is(axes):
     irradiance[0] = 0.125
     marks.show_light(irradiance)
     _, text = marks.artists
-    assert text.get_text() == "Left 49.2 %\nleast / mean 0.51"
+    assert text.get_text() == "Left 49.2 %\nU₀ 0.51"

@@ -141,7 +141,10 @@ def test_total_reflection_is_named_with_its_cure(judge):
 def test_uniformity_of_an_even_square(judge):
     even = judge(least=0.5)["uniformity"]
     mean = (255 + 0.5) / 256
-    assert even.sentence == (f"{0.5 / mean:.2f} uniformity (least / mean); least / most is 0.50.")
+    assert even.sentence == (
+        f"{0.5 / mean:.2f} uniformity U₀ (minimum / average) on the lit area of the target; U₁ "
+        "(minimum / maximum) is 0.50."
+    )
     assert even.level == "good"
     assert judge(least=0.5, changes={"run.min_uniformity": 0.5})["uniformity"].level == "good"
     assert judge(least=0.5, changes={"run.min_uniformity": 0.8})["uniformity"].level == "bad"

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
@@ -126,18 +125,27 @@ class RunComparison(QDialog):
         self._show_image()
 
     def show_figures(self) -> None:
+        """Fill the table: figures of both runs, light of each area, fields that differ."""
         if self._pair is None:
             return
         own = zip(*map(self._figures_of, self._pair), strict=True)
-        rows = [(tr(name), (one, other)) for (name, one), (_, other) in own]
-        one, other = (run.scene for run in self._pair)
-        apart = [(field_title(each.title), each.values) for each in differences(one, other)]
-        self.table.setHorizontalHeaderLabels(["", *(called(run) for run in self._pair)])
+        one, other = self._pair
+        apart = [
+            (field_title(each.title), each.values) for each in differences(one.scene, other.scene)
+        ]
+        self.table.setHorizontalHeaderLabels(["", *map(called, self._pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
-        self._add(rows)
-        self._add_heading(tr(_DIFFER if apart else _SAME))
-        self._add(apart)
+        self._add("", [(tr(name), (first, second)) for (name, first), (_, second) in own])
+        areas = [_areas_of(self._image_of(run)) for run in self._pair]
+        for area in areas[0] | areas[1]:
+            figures = [found.get(area, {}) for found in areas]
+            names = figures[0] | figures[1]
+            rows = [
+                (tr(name), tuple(tr(each.get(name, "–")) for each in figures)) for name in names
+            ]
+            self._add(tr(area), rows)
+        self._add(tr(_DIFFER if apart else _SAME), apart)
 
     def _show_image(self) -> None:
         assert self._pair is not None  # since there is a choice
@@ -148,9 +156,13 @@ class RunComparison(QDialog):
         self._readout.setText(tr(_POINT))
         self.show_figures()
 
+    def _image_of(self, run: KeptRun) -> KeptRun:
+        return run.of_image(min(self._choice.currentIndex(), len(run.scene.images) - 1))
+
     def _figures_of(self, run: KeptRun) -> list[tuple[str, str]]:
-        number = min(self._choice.currentIndex(), len(run.scene.images) - 1)
-        return figures_of(run.of_image(number), "" if number else self._verified(run))
+        return figures_of(
+            self._image_of(run), "" if self._choice.currentIndex() else self._verified(run)
+        )
 
     def _read(self, event: Any) -> None:
         if self._picture is None or event.inaxes is None:
@@ -158,18 +170,23 @@ class RunComparison(QDialog):
         words = self._picture.in_words(event.inaxes, event.xdata, event.ydata)
         self._readout.setText(tr(words or _POINT))
 
-    def _add(self, rows: Sequence[tuple[str, tuple[str, str]]]) -> None:
-        for name, values in rows:
-            row = self.table.rowCount()
-            self.table.insertRow(row)
-            self.table.put(row, (name, *values))
+    def _add(self, heading: str, rows: Sequence[tuple[str, Sequence[str]]]) -> None:
+        first = self.table.rowCount()
+        texts = [*([(heading,)] if heading else []), *((name, *values) for name, values in rows)]
+        self.table.setRowCount(first + len(texts))
+        for row, each in enumerate(texts, first):
+            self.table.put(row, each)
+        if heading:
+            item = self.table.item(first, 0)
+            font = item.font()
+            font.setBold(True)
+            item.setFont(font)
+            self.table.setSpan(first, 0, 1, self.table.columnCount())
 
-    def _add_heading(self, text: str) -> None:
-        row = self.table.rowCount()
-        self.table.insertRow(row)
-        item = QTableWidgetItem(text)
-        font = item.font()
-        font.setBold(True)
-        item.setFont(font)
-        self.table.setItem(row, 0, item)
-        self.table.setSpan(row, 0, 1, self.table.columnCount())
+
+def _areas_of(run: KeptRun) -> dict[str, dict[str, str]]:
+    """Figures of the light of each area of a run with one image, by the area's name."""
+    from workbench.analysis.regions import light_of_areas  # late: takes long to import
+
+    found = light_of_areas(run.scene, run.target, run.result.state.irradiance)
+    return {light.name: light.figures for light in found}

@@ -223,7 +223,7 @@ class IrradianceView(LightImageView):
 
     def _change(self, frame: "Frame") -> bool:
         assert self._regions is not None  # since there is a picture
-        self._regions.show_light(frame.state.irradiance, tr)
+        self._regions.show_light(frame.state.irradiance)
         return super()._change(frame)
 
 

@@ -7,7 +7,7 @@ some rows at a time, so that large images need no further memory.
 import math
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -147,14 +147,34 @@ def black(target: Array) -> Mask:
     return np.asarray(target <= _BLACK * target.max())
 
 
+class LitLight(NamedTuple):
+    """Least, mean and most of an image in the lit region of its target."""
+
+    least: float
+    mean: float
+    most: float
+
+
+def lit_light(image: Array, target: Array) -> LitLight:
+    """Return the light of the lit region, pixel by pixel over the target's part of its median.
+
+    So a pixel at the edge that is lit in part only does not count as dark.
+    """
+    region = lit(target)
+    level = float(np.median(target[region]))
+    least, most, total = math.inf, 0.0, 0.0
+    for i, t, inside in _rows(image, target, region):
+        light = i[inside] * (level / t[inside])
+        least = min(least, float(light.min(initial=math.inf)))
+        most = max(most, float(light.max(initial=0.0)))
+        total += float(light.sum())
+    return LitLight(least, total / int(region.sum()), most)
+
+
 def uniformity(image: Array, target: Array) -> float:
     """Least over mean of image / target in the lit region; 1 is uniform, 0 has a dark pixel."""
-    region = lit(target)
-    least, total = math.inf, 0.0
-    for i, t, inside in _rows(image, target, region):
-        ratio = i[inside] / t[inside]
-        least, total = min(least, float(ratio.min(initial=math.inf))), total + float(ratio.sum())
-    return least / (total / int(region.sum())) if total > 0 else 0.0
+    found = lit_light(image, target)
+    return found.least / found.mean if found.mean > 0 else 0.0
 
 
 def contrast(image: Array, target: Array) -> float | None:

@@ -5,13 +5,21 @@ from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from workbench.arrays import Array
-from workbench.measured.lamps import IN_PARTS, LightUnit
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from workbench.analysis.metrics import lit, lit_light
+from workbench.arrays import Array, Mask
+from workbench.measured.lamps import IN_PARTS, LightUnit, light_unit
 from workbench.messages import Message
-from workbench.scene import AnyReceiver, AnyRegion
+from workbench.scene import AnyReceiver, AnyRegion, Scene
 from workbench.targets.raster import coverage
 
 _INSIDE = 0.5  # least part of a pixel inside a region for its extremes
+# A lit area is even if its target deviates by less, and one piece without holes or bays if its
+# pixels are such a part of their convex hull: a disc in pixels has 0.98, a letter less than 0.7.
+_EVEN, _CONVEX = 0.05, 0.95
+_NONE = "–"
 
 
 @dataclass(frozen=True)
@@ -28,41 +36,90 @@ class RegionLight:
 
     @property
     def uniformity(self) -> float | None:
-        """Least over mean (U₀ of EN 12464-1); None without pixels or light inside."""
-        if self.least is None or not self.mean:
-            return None
-        return self.least / self.mean
+        """Minimum over average, U₀; None without pixels or light inside."""
+        return self.least / self.mean if self.least is not None and self.mean else None
+
+    @property
+    def least_over_most(self) -> float | None:
+        """Minimum over maximum, U₁; None without pixels or light inside."""
+        return self.least / self.most if self.least is not None and self.most else None
+
+    @property
+    def figures(self) -> dict[str, str]:
+        """Figures by their English names; extremes as multiples of the average without lumens."""
+        even, ends = self.uniformity, self.least_over_most
+        part, flux = f"{100 * self.share:.2f} %", self.unit.flux_in_words(self.share)
+        return {
+            Message("part of the light"): f"{part} ({flux})" if flux else part,
+            Message("average"): self.unit.density_in_words(self.mean),
+            Message("minimum"): self._extreme(self.least),
+            Message("maximum"): self._extreme(self.most),
+            Message("U₀ (minimum / average)"): _NONE if even is None else f"{even:.3f}",
+            Message("U₁ (minimum / maximum)"): _NONE if ends is None else f"{ends:.3f}",
+        }
+
+    def _extreme(self, density: float | None) -> str:
+        if density is None or not self.mean:
+            return _NONE
+        if self.unit.lumens is None:
+            return Message("{times:.3f} × average", times=density / self.mean)
+        return self.unit.density_in_words(density)
 
     @property
     def words(self) -> Message:
-        """Flux and uniformity in words."""
-        part, even = 100 * self.share, "–" if self.uniformity is None else f"{self.uniformity:.3f}"
-        if self.least is None or self.most is None or not self.mean:
-            return Message("{part:.3f} % of the light, least / mean {even}", part=part, even=even)
-        if self.unit.lumens is None:
-            return Message(
-                "{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}",
-                part=part,
-                even=even,
-                most=self.most / self.mean,
-            )
-        mean, least, most = map(self.unit.density_in_words, (self.mean, self.least, self.most))
+        """All figures in one line."""
+        part, average, least, most, even, ends = self.figures.values()
         return Message(
-            "{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, "
-            "least / mean {even}",
+            "{part} of the light, average {average}, minimum {least}, maximum {most}, U₀ {even}, "
+            "U₁ {ends}",
             part=part,
-            lumens=self.unit.flux_in_words(self.share),
-            mean=mean,
+            average=average,
             least=least,
             most=most,
             even=even,
+            ends=ends,
         )
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
-        figures = asdict(self) | {"uniformity": self.uniformity}
+        figures = asdict(self) | {
+            "uniformity": self.uniformity,
+            "least_over_most": self.least_over_most,
+        }
         del figures["unit"]
         return figures
+
+
+def light_of_areas(scene: Scene, target: Array, irradiance: Array) -> tuple[RegionLight, ...]:
+    """Return the light of the target's lit area, where that is even, and of each region."""
+    area, unit = light_of_lit_area(scene, target, irradiance), light_unit(scene)
+    regions = light_of_regions(scene.regions, scene.receiver, irradiance, unit)
+    return regions if area is None else (area, *regions)
+
+
+def light_of_lit_area(scene: Scene, target: Array, irradiance: Array) -> RegionLight | None:
+    """Return the light where a target is lit; None unless that is one even area."""
+    area = even_area(target)
+    if area is None:
+        return None
+    least, mean, most = lit_light(irradiance, target)
+    name = Message("whole receiver") if area.all() else Message("lit area of the target")
+    share = scene.receiver.total(irradiance * area)
+    return RegionLight(name, share, mean, least, most, light_unit(scene))
+
+
+def even_area(target: Array) -> Mask | None:
+    """Return where a target is lit, if that is one even area without holes or bays."""
+    area = lit(target)
+    inside = target[area]
+    if inside.std() > _EVEN * inside.mean():
+        return None
+    rows = np.flatnonzero(area.any(axis=1))
+    first = area[rows].argmax(axis=1)
+    behind = area.shape[1] - area[rows, ::-1].argmax(axis=1)
+    ends = [(row, column) for row in (rows, rows + 1) for column in (first, behind)]
+    corners = np.concatenate([np.column_stack(end) for end in ends])
+    return area if area.sum() >= _CONVEX * ConvexHull(corners).volume else None
 
 
 def light_of_regions(

@@ -19,7 +19,7 @@ import numpy.typing as npt
 from workbench.analysis.by_cells import ByCells, RandomShare, without_scatter
 from workbench.analysis.focus import with_screen_at
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
-from workbench.analysis.regions import light_of_regions
+from workbench.analysis.regions import light_of_lit_area, light_of_regions
 from workbench.analysis.scatter import FEWER, STUDENT_T, CorrectedDistance, IndependentError
 from workbench.analysis.shading import shading_of
 from workbench.analysis.tracing.pose import Pose
@@ -101,8 +101,9 @@ def validating(
         one = yield from within(steps, partial(of_equal, len(images), done))
         clearest = (one.by_cells or one).irradiance
         own = image.scene
+        area = light_of_lit_area(own, image.target, clearest)
         regions = light_of_regions(own.regions, own.receiver, clearest, light_unit(own))
-        found.append(replace(one, weight=image.weight, regions=regions))
+        found.append(replace(one, weight=image.weight, lit_area=area, regions=regions))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first
 

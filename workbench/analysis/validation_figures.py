@@ -63,6 +63,8 @@ class Validation:
         Light that the lens or the receiver blocks, with the deterministic check.
     regions : tuple of RegionLight
         The light of each region.
+    lit_area : RegionLight, optional
+        The light where the target is lit, if that is one even area.
     further : tuple of Validation
         Results of the further images, in their order.
     weight : float
@@ -86,6 +88,7 @@ class Validation:
     left_out: Message | None = None
     shading: Shading | None = None
     regions: tuple[RegionLight, ...] = ()
+    lit_area: RegionLight | None = None
     further: tuple["Validation", ...] = ()
     weight: float = 1.0
 
@@ -93,6 +96,11 @@ class Validation:
     def images(self) -> tuple["Validation", ...]:
         """Results of all images, in their order."""
         return (self, *self.further)
+
+    @property
+    def areas(self) -> tuple[RegionLight, ...]:
+        """The light of the lit area, if known, and of each region."""
+        return self.regions if self.lit_area is None else (self.lit_area, *self.regions)
 
     @property
     def verified(self) -> "Validation | ByCells | CombinedError":
@@ -148,6 +156,7 @@ class Validation:
             "deterministic": self.by_cells and self.by_cells.to_data(),
             "deterministic_left_out": self.left_out,
             "shading": self.shading and self.shading.to_data(),
+            "lit_area": self.lit_area and self.lit_area.to_data(),
             **(regions if self.regions else {}),
             **(further if self.further else {}),
         }

@@ -163,7 +163,7 @@ def _print(found: Validation, difference: float | None) -> None:
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
-    for light in found.regions:  # regions may share a name
+    for light in found.areas:  # regions may share a name
         print(f"{light.name}: {light.words}")
 
 

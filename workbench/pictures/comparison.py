@@ -10,8 +10,17 @@ from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
 from workbench.measured.lamps import LightUnit, light_unit
 from workbench.messages import Message
-from workbench.pictures.axes import FONT, SIGNED, Extent, colour_bar, pixel_at, stable_scale
-from workbench.pictures.images import colours_for, full_scale, receiver_map
+from workbench.pictures.axes import (
+    FONT,
+    SIGNED,
+    UNSIGNED,
+    Extent,
+    colour_bar,
+    pixel_at,
+    stable_scale,
+)
+from workbench.pictures.contours import Contours
+from workbench.pictures.images import colours_for, full_scale, is_lighting, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.powers import written
 from workbench.scene import Scene, Unit
@@ -76,10 +85,14 @@ class Comparison:
         top = max(one.top, other.top)
         self._places = dict(zip((first, second), self.lights, strict=True))
         for (axes, light), title in zip(self._places.items(), self.titles, strict=True):
-            image = receiver_map(axes, light.name, light.scene, colours_for(light.scene))
+            lines, scale = is_lighting(light.scene, light.target), top if alike else light.top
+            colours = UNSIGNED[0] if lines else colours_for(light.scene)
+            image = receiver_map(axes, light.name, light.scene, colours)
             image.set_data(as_viewed(light.scene, light.irradiance))
-            image.set_clim(0, top if alike else light.top)
+            image.set_clim(0, scale)
             colour_bar(axes, image, light.unit.words, extend="max")
+            if lines:
+                Contours(axes, Extent.of_receiver(light.scene)).show(light.irradiance, scale)
             _title(axes, title)
         self._draw_difference(third)
         _title(fourth, Message("Loss"))

@@ -97,6 +97,13 @@ def suits_contours(scene: Scene) -> bool:
     return light_unit(scene).lumens is not None
 
 
+def is_lighting(scene: Scene, target: npt.NDArray[Any]) -> bool:
+    """Return whether an image is judged by its lux or uniformity, rather than as a picture."""
+    from workbench.analysis.regions import even_area  # late: takes long to import
+
+    return suits_contours(scene) or even_area(target) is not None
+
+
 def to_colours(irradiance: Array, top: float, colours: str) -> npt.NDArray[np.uint8]:
     """Return colours (n_y, n_x, 3) of an irradiance (n_y, n_x) on a scale from 0 to ``top``."""
     levels = np.clip(irradiance * ((_LEVELS - 1) / top), 0, _LEVELS - 1).astype(np.uint16)

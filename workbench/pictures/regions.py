@@ -1,13 +1,11 @@
 """Marks of regions on images: outlines, names, and the light of each."""
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
-from workbench.messages import Message
 from workbench.pictures.axes import label_place
 from workbench.powers import written
 
@@ -42,8 +40,8 @@ class RegionMarks:
         self.artists = (*outlines, *self._texts)
         """Drawn over the image, which is drawn anew for each state of a run."""
 
-    def show_light(self, irradiance: Array, words: Callable[[str], str] = str) -> None:
-        """Add to each label the light of its region, in the words of a language."""
+    def show_light(self, irradiance: Array) -> None:
+        """Add to each label the light of its region."""
         if not self._texts:
             return
         from workbench.analysis.regions import light_of_regions  # late: takes long to import
@@ -55,6 +53,5 @@ class RegionMarks:
             if unit.lumens is not None:
                 label += f", {written(light.mean * unit.density, unit.short, 3)}"
             if light.uniformity is not None:
-                even = Message("least / mean {number:.2f}", number=light.uniformity)
-                label += f"\n{words(even)}"
+                label += f"\nU₀ {light.uniformity:.2f}"
             text.set_text(label)

@@ -55,8 +55,8 @@ def check_rows(
 
 
 def region_rows(found: Validation) -> tuple[Fact, ...]:
-    """Rows of the check for each region."""
-    return tuple(Fact(light.name, light.words) for light in found.regions)
+    """Rows of the check for the lit area of the target, and for each region."""
+    return tuple(Fact(light.name, light.words) for light in found.areas)
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:

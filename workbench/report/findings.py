@@ -4,11 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
-import numpy as np
-from scipy.spatial import ConvexHull
-
-from workbench.analysis.metrics import lit, uniformity
-from workbench.arrays import Array, Mask
+from workbench.analysis.regions import light_of_lit_area
+from workbench.arrays import Array
 from workbench.design.checks import HIGH, coarse_net
 from workbench.design.loss import relative_error
 from workbench.design.session import Session, VerifiedError, verified_error
@@ -24,9 +21,6 @@ Level = Literal["good", "attention", "bad"]
 
 # A smaller part of the light that is totally reflected is no finding: it is 0 % when rounded.
 _NAMED = 5e-3
-# A lit region is even if its target deviates by less, and one piece without holes or bays if its
-# pixels are such a part of their convex hull: a disc in pixels has 0.98, a letter less than 0.7.
-_EVEN, _CONVEX = 0.05, 0.95
 
 
 class Cure(NamedTuple):
@@ -205,37 +199,25 @@ def _light_in_words(scene: Scene, account: Account, attainable: Attainable) -> M
 
 
 def _uniformity(session: Session, result: Result, level: Level) -> Finding | None:
-    """The worst image, where all targets are even regions; None otherwise."""
-    found = []
-    for image, light in zip(session.scene.wanted(session.target), result.state.lights, strict=True):
-        region = _even_region(image.target)
-        if region is None:
-            return None
-        even = uniformity(light.irradiance, image.target)
-        ratio = light.irradiance[region] / image.target[region]
-        found.append((even, float(ratio.min() / ratio.max()) if even else 0.0))
-    over_mean, over_most = min(found)
-    sentence = Message(
-        "{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.",
-        mean=over_mean,
-        most=over_most,
-    )
-    judged = GOALS["uniformity"].judged(session.scene, over_mean, level)
-    return Finding("uniformity", judged, sentence)
-
-
-def _even_region(target: Array) -> Mask | None:
-    """Where a target is lit, if that is one even region without holes or bays."""
-    region = lit(target)
-    inside = target[region]
-    if inside.std() > _EVEN * inside.mean():
+    """The least uniform image, where all targets are even areas; None otherwise."""
+    images = zip(session.scene.wanted(session.target), result.state.lights, strict=True)
+    found = [light_of_lit_area(i.scene, i.target, light.irradiance) for i, light in images]
+    areas = [area for area in found if area is not None]
+    if len(areas) < len(found):
         return None
-    rows = np.flatnonzero(region.any(axis=1))
-    first = region[rows].argmax(axis=1)
-    behind = region.shape[1] - region[rows, ::-1].argmax(axis=1)
-    ends = [(row, column) for row in (rows, rows + 1) for column in (first, behind)]
-    corners = np.concatenate([np.column_stack(end) for end in ends])
-    return region if region.sum() >= _CONVEX * ConvexHull(corners).volume else None
+    worst = min(areas, key=lambda area: area.uniformity or 0.0)
+    even, ends = worst.uniformity or 0.0, worst.least_over_most or 0.0
+    sentence = Message(
+        "{even:.2f} uniformity U₀ (minimum / average) on the {area}; U₁ (minimum / maximum) is "
+        "{ends:.2f}.",
+        even=even,
+        area=worst.name,
+        ends=ends,
+    )
+    if worst.unit.lumens is not None:
+        average = worst.unit.density_in_words(worst.mean)
+        sentence = Message("{sentence} Average: {average}.", sentence=sentence, average=average)
+    return Finding("uniformity", GOALS["uniformity"].judged(session.scene, even, level), sentence)
 
 
 def _shortfall(session: Session, result: Result) -> Finding | None:
