@@ -41,6 +41,7 @@ class TestValidate:
             "efficiency",
             "ledger",
             "light_limits",
+            "lit_area",
             "loss",
             "noise",
             "optimiser_difference",

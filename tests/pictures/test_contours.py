@@ -33,6 +33,11 @@ def test_a_line_about_a_bright_spot_has_its_radius(axes):
         assert radius == pytest.approx(1 - float(text.get_text()), abs=0.02)
 
 
+def test_numbers_are_those_of_the_colour_bar(axes):
+    Contours(axes, EXTENT).show(np.linspace(0, 4e-6, 50)[:, None] * np.ones(50), 4e-6)
+    assert {text.get_text() for text, _ in both(axes)} == {"1", "2", "3"}
+
+
 def test_lines_follow_the_image_and_can_be_removed(axes):
     contours = Contours(axes, EXTENT)
     for _ in range(3):

@@ -134,6 +134,18 @@ def test_both_are_drawn_on_one_scale_and_subtracted(kept):
     assert drawn.in_words(figure.axes[2], 0.1, 0.1) == "0.1 → 0.3 / cm² at x = 0.1 cm, y = 0.1 cm"
 
 
+def test_lines_of_equal_light_are_drawn_over_lighting_alone(kept):
+    y, x = np.mgrid[1:-1:32j, -1:1:32j]
+    spot = 1 - np.hypot(x, y) / 2
+    lamp = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.1, 0.1], "points": [3, 3]}
+    drawn = Figure()
+    even = kept("even", spot, {"target": {"builtin": "rectangle"}})
+    picture = replace(kept("picture", spot, {"source": lamp}), target=spot**3)
+    Comparison(drawn, (even, picture))
+    first, second = drawn.axes[:2]
+    assert first.lines and not second.lines
+
+
 def test_other_pixels_are_averaged_and_other_units_converted(kept):
     first = kept("coarse", 0.1)
     fine = kept("fine", 0.3, {"screen.pixels": [96, 64]})

@@ -8,11 +8,12 @@ from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
 from tests.scenes import changed
 from workbench.analysis.light_limit import light_limits
+from workbench.analysis.manufacture import Limits, manufacture
 from workbench.analysis.validation import validate
 from workbench.cli.validate import print_image
 from workbench.extended.bound import Bound
 from workbench.report.element_table import element_table
-from workbench.report.figures import bound_rows, check_rows, percent
+from workbench.report.figures import area_table, bound_rows, check_rows, percent, result_table
 from workbench.report.scene_rows import differences, field_rows, scene_rows
 from workbench.scene import Scene, Screen
 
@@ -73,20 +74,34 @@ def test_scenes_differ_where_their_values_do(make_scene):
 
 
 def rows(scene):
-    return dict(scene_rows(scene))
+    return {group: dict(facts) for group, facts in scene_rows(scene).items()}
 
 
 def test_every_field_has_a_row_with_its_unit(make_scene):
     found = rows(make_scene({"unit": "mm", "run.min_radius": 0.5}))
-    assert found["lens · Half width"] == "1 × 1 mm"
-    assert found["lens · Back face · Height range"] == "-0.3, 0.3 mm"
-    assert found["lens · Back face · Control points"] == "12 × 10"
-    assert found["Receiver · Position"] == "0, 0, 5 mm"
-    assert found["Image filter · Alpha"] == "1 per pixel²"
-    assert found["Target · Invert"] == "no"
-    assert found["Run · Smallest radius"] == "0.5 mm"
-    assert found["Unit"] == "mm"
-    assert "Format" not in found
+    assert found["Lens"]["Size"] == "2 × 2 mm"  # as in forms
+    assert found["Lens"]["Back face · Height range"] == "-0.3 to 0.3 mm"
+    assert found["Lens"]["Back face · Control points"] == "12 × 10"
+    assert found["Receiver"]["Position"] == "0, 0, 5 mm"
+    assert found["Image filter"]["Alpha"] == "1 per pixel²"
+    assert found["Target"]["Invert"] == "no"
+    assert found["Run"]["Smallest radius"] == "0.5 mm"
+    assert found["Scene"] == {"Unit": "mm", "Weight": "1"}
+
+
+def test_values_are_the_words_of_the_forms(make_scene):
+    found = rows(make_scene({"target": {"image": "/some/folder/light.png"}}))
+    assert (found["Source"]["Kind"], found["Lens"]["Front face · Shape"]) == (
+        "Collimated light",
+        "Plane",
+    )
+    assert (found["Target"]["Fit"], found["Run"]["Computes on"]) == (
+        "All of the picture",
+        "Processor",
+    )
+    assert found["Target"]["Image"] == "light.png"
+    for values in found.values():
+        assert not any("_" in text or "elements[" in text for text in (*values, *values.values()))
 
 
 def leaves(data, path=""):
@@ -116,6 +131,39 @@ def test_every_field_of_the_scene_has_a_row(make_scene, changes):
     assert wanted == {row.path for row in field_rows(scene)}
 
 
+@pytest.fixture(scope="module")
+def even():
+    """A flat plate whose image is even, with goals."""
+    goals = {"run.min_uniformity": 0.5, "run.min_light": 0.95, "lens.min_thickness": 0.1}
+    scene = Scene.from_data(changed({"screen.half_width": [0.5, 0.5]} | goals))
+    heights = {"lens.back": np.full(scene.optic.net_shape, 0.5)}
+    target = np.zeros((32, 32))
+    target[8:24, 8:24] = 1.0
+    return scene, validate(scene, target, heights, 4000, accuracy=1e-3), heights
+
+
+def test_the_result_is_judged_by_goals_and_limits_of_the_part(even):
+    scene, found, heights = even
+    limits = Limits(min_thickness=0.1, min_radius=0.5)
+    made = [(scene.optic, manufacture(scene.optic, heights), limits)]
+    figures = {name: rest for name, *rest in result_table(scene, found, made).rows}
+    assert figures["Relative L2 error"][1:] == ["–", "–"]
+    assert figures["Light on the screen"][1:] == ["at least 95 %", "not met"]
+    even = figures["U₀ (minimum / average) on the lit area of the target"]
+    assert even[1:] == ["at least 0.5", "met"] and float(even[0]) > 0.99
+    assert figures["Thickness"] == ["0.5 cm", "at least 0.1 cm", "met"]
+
+
+def test_areas_stand_in_a_table_with_their_light(even):
+    _, found, _ = even
+    header, ((area, *values),) = area_table(found)
+    assert area == "Lit area of the target"
+    shown = dict(zip(header[1:], values, strict=True))
+    assert shown["Average"].endswith("/ cm²")
+    assert float(shown["U₁ (minimum / maximum)"]) > 0.99
+    assert "uniformity" not in dict(check_rows(found, 0.0))
+
+
 def test_elements_stand_in_a_table():
     dome = {"kind": "lens", "name": "dome", "position": [0, 0, -9.9], "half_width": [2.4, 2.4]}
     dome |= {"outline": "ellipse", "material": {"index": 1.41}, "thickness": 2.5}
@@ -129,6 +177,6 @@ def test_elements_stand_in_a_table():
     assert [row[0] for row in rows] == ["dome", "lens", "cover"]
     assert (first["Kind"], first["Material"], first["Tilt"]) == ("lens", "n = 1.41", "none")
     assert first["Position"] == "0, 0, -9.9 mm"
-    assert first["Half width"] == "2.4 × 2.4 mm, ellipse"
+    assert first["Size"] == "4.8 × 4.8 mm, ellipse"
     assert first["Faces"] == "plane; conic, radius -2.5 mm, conic constant -0.5"
     assert rows[2][header.index("Material")].startswith("PMMA (n = 1.49")

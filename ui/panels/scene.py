@@ -39,8 +39,7 @@ class ScenePanel(Panel):
 
 
 def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
-    units = [(unit, unit) for unit, _ in field.choices]  # in small letters
-    return [_UnitRow(field, path, units)]
+    return [_UnitRow(field, path)]
 
 
 class _UnitRow(ChoiceRow):

@@ -219,7 +219,7 @@ def label_curves(axes: Axes, x: str, y: str) -> None:
 
 def label_place(axes: "Axes", place: Sequence[float], text: str, across: str, down: str) -> Text:
     """Write a small text over an image; ``across`` and ``down``: which side of it the place is."""
-    box = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.6, "pad": 1.5}
     return axes.text(
         place[0], place[1], text, fontsize="x-small", clip_on=True, ha=across, va=down, bbox=box
     )

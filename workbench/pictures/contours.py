@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 
 from workbench.arrays import Array
 from workbench.pictures.axes import Extent, label_place
-from workbench.powers import written
+from workbench.powers import power_of, written
 from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ class Contours:
         y = upper - (np.arange(n_y) + 0.5) * ((upper - bottom) / n_y)
         found = contour_generator(x, y, averaged(values, shape))
         levels = np.asarray(MaxNLocator(_LINES, steps=[1, 2, 5, 10]).tick_values(0, top))
+        ten = 10.0 ** power_of(0.0, top)  # as on a colour bar
         for level in levels[(levels > 0) & (levels < top)].tolist():
             lines = [np.asarray(line) for line in found.lines(level)]
             for line in lines:
@@ -44,7 +45,7 @@ class Contours:
             if lines:
                 longest = max(lines, key=len)
                 at = longest[longest[:, 0].argmax()]
-                text = written(level, digits=3)
+                text = written(level / ten, digits=3)
                 self._artists.append(label_place(self._axes, at, text, "left", "top"))
 
     def clear(self) -> None:

@@ -1,6 +1,5 @@
 """Report: A4 pages with headings, rows and pictures, and the pictures themselves."""
 
-import math
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -13,17 +12,28 @@ import matplotlib
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
 from matplotlib.transforms import Bbox, BboxBase
 
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
-from workbench.geometry.surface import nets_of
+from workbench.geometry.surface import freeform_nets
 from workbench.pictures import lens_image, loss
+from workbench.pictures.axes import AS_SEEN, UNSIGNED
 from workbench.pictures.error_curves import draw_errors
-from workbench.pictures.images import ErrorImage, IrradianceImage, target_irradiance
+from workbench.pictures.images import (
+    ErrorImage,
+    IrradianceImage,
+    full_scale,
+    is_lighting,
+    target_irradiance,
+    to_colours,
+)
 from workbench.pictures.manufacture import draw_manufacture
 from workbench.pictures.section import SectionCurves, cut_through
 from workbench.pictures.surface import ASPECTS, SurfaceImage
+from workbench.scene import Element, Scene
+from workbench.scene.image import as_viewed
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase, SubFigure
@@ -37,20 +47,22 @@ Draw = Callable[["FigureBase"], None]
 _PAGE = (8.27, 11.69)
 _MARGIN = (_PAGE[0] - WIDTH) / 2
 _LINE = 0.17  # inches
-_INK, _PALE = "#1d232b", "#6a7380"
+_INK, _PALE, _RULE = "#1d232b", "#6a7380", "#d9dee5"
 _SIZES = {"title": 18.0, "heading": 12.0, "text": 8.5}
-_COLUMNS = (0.0, 1.65, 3.85, 5.5)  # inches: names and values of two rows
+_COLUMNS = (0.0, 1.85, 3.8, 5.65)  # inches: names and values of two rows
 _DIGITS = 6  # of positions, in parts of a page
 _TOGETHER = 16  # rows that stay on one page
-_NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 24, 34, 112
+_NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 28, 29, 112
 _CELL_GAP = 2  # letters, between columns of a table
 _Line = tuple[str, ...]
 __all__ = [
+    "draw_faces",
     "draw_images",
     "draw_lens",
     "draw_loss",
     "draw_manufacture",
     "draw_sections",
+    "draw_seen",
     "draw_tolerances",
     "draw_two_tracers",
 ]
@@ -210,6 +222,9 @@ def _draw_row(
     for number, line in enumerate(lines):
         for text, x in zip(line, places, strict=True):
             _write(part, x, (number + 0.8) * _LINE, text, "text", colour=colour)
+    left, right = (x / part.bbox.width * part.dpi for x in (_MARGIN, _MARGIN + WIDTH))
+    rule = {"transform": part.transSubfigure, "color": _RULE, "linewidth": 0.5}
+    part.add_artist(Line2D([left, right], [0, 0], **rule))
 
 
 def _write(
@@ -248,26 +263,51 @@ def draw_lens(figure: "FigureBase", session: Session, lights: Sequence[Array]) -
     axes.set_axis_off()
 
 
+def draw_seen(figure: "FigureBase", session: Session, irradiance: Array) -> None:
+    """Draw the light as its viewer sees it, and the target, in the same greys."""
+    scene, target = session.scene, session.target
+    flux = scene.receiver.total(irradiance)
+    top = full_scale(scene, target, flux)
+    panels = figure.subplots(1, 2, gridspec_kw={"wspace": 0.02})
+    lights = irradiance, target_irradiance(scene, target, flux)
+    for axes, light, title in zip(panels, lights, ("Light", "Target"), strict=True):
+        axes.imshow(to_colours(as_viewed(scene, light), top, AS_SEEN), aspect=aspect(scene))
+        axes.set(xticks=[], yticks=[])
+        axes.set_title(title, fontsize=_FONT)
+
+
+def aspect(scene: Scene) -> float:
+    """Height of a pixel of the receiver over its width."""
+    receiver = scene.receiver
+    (r_x, r_y), (n_x, n_y) = receiver.half_extent, receiver.pixels
+    return float(r_y * n_x / (r_x * n_y))
+
+
 def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw irradiance, target, signed error and the heights of each face over its base."""
-    scene, target, result = session.scene, session.target, result_of(session)
-    faces = list(reversed(nets_of(scene)))
-    rows = 1 + math.ceil((1 + len(faces)) / 2)
-    lit, wanted, off, *others = figure.subplots(rows, 2, gridspec_kw=_APART).ravel()
-    IrradianceImage(lit, scene, target).update(irradiance)
-    IrradianceImage(wanted, scene, target).update(
-        target_irradiance(scene, target, scene.receiver.total(irradiance))
-    )
+    """Draw irradiance, with lines of equal light where it is lighting, and its signed error."""
+    scene, target = session.scene, session.target
+    lit, off = figure.subplots(1, 2, gridspec_kw=_APART)
+    image = IrradianceImage(lit, scene, target)
+    if is_lighting(scene, target):
+        image.outlined = True
+        image.set_colours(UNSIGNED[0])
+    image.update(irradiance)
     ErrorImage(off, scene, target).update(irradiance)
     density = scene.receiver.density.capitalize()
-    titles = [density, "Target", f"{density} − target"]
-    for axes, face in zip(others, faces, strict=False):
-        SurfaceImage(axes, scene, ASPECTS[0], face).update(result.state.heights[face])
-        words = scene.face_in_words(face)
-        titles.append(f"{words[0].upper()}{words[1:]} over its base")
-    for axes, title in zip((lit, wanted, off, *others), titles, strict=False):
+    for axes, title in zip((lit, off), (density, f"{density} − target"), strict=True):
         axes.set_title(title, fontsize=_FONT)
-    for axes in others[len(faces) :]:
+
+
+def draw_faces(figure: "FigureBase", session: Session, element: Element) -> None:
+    """Draw the heights of each freeform face of an element over its base."""
+    scene, heights = session.scene, result_of(session).state.heights
+    faces = list(reversed(freeform_nets(element)))
+    panels = figure.subplots(-(-len(faces) // 2), 2, gridspec_kw=_APART).ravel()
+    for axes, face in zip(panels, faces, strict=False):
+        SurfaceImage(axes, scene, ASPECTS[0], face).update(heights[face])
+        words = scene.face_in_words(face)
+        axes.set_title(f"{words[0].upper()}{words[1:]} over its base", fontsize=_FONT)
+    for axes in panels[len(faces) :]:
         axes.set_axis_off()
 
 

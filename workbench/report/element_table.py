@@ -6,7 +6,7 @@ from workbench.report.scene_rows import field_words
 from workbench.scene import Element, Face, Part, Scene
 from workbench.scene.part import title_of
 
-_HEADER = ("Element", "Kind", "Material", "Position", "Tilt", "Thickness", "Half width", "Faces")
+_HEADER = ("Element", "Kind", "Material", "Position", "Tilt", "Thickness", "Size", "Faces")
 _NONE = "–"
 
 

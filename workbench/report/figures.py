@@ -1,11 +1,13 @@
 """Figures of a lens as rows: check, light account, manufacture, tolerances."""
 
 import math
+from collections.abc import Sequence
 
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cross_check import CrossCheck
 from workbench.analysis.light_limit import light_limits
 from workbench.analysis.manufacture import Extreme, FaceFigures, Limits, Manufacture, verdicts
+from workbench.analysis.regions import RegionLight
 from workbench.analysis.scatter import IndependentError
 from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
@@ -17,9 +19,11 @@ from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.messages import Message
 from workbench.optics.account import Account, words_of
 from workbench.powers import written
-from workbench.report.content import Fact
-from workbench.scene import Scene
+from workbench.report.content import Fact, Table
+from workbench.report.findings import GOALS
+from workbench.scene import Element, Scene
 
+_NO_LIMIT = "–"
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
 
@@ -44,7 +48,7 @@ def check_rows(
         Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
         Fact("SSIM", f"{quality.ssim:.5f}"),
         Fact("correlation", _or_dash(quality.correlation, ".5f")),
-        Fact("uniformity", f"{quality.uniformity:.5f}"),
+        *(() if found.lit_area else (Fact("uniformity", f"{quality.uniformity:.5f}"),)),
         Fact("contrast", _or_dash(quality.contrast, ".5f")),
         Fact("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
@@ -57,6 +61,84 @@ def check_rows(
 def region_rows(found: Validation) -> tuple[Fact, ...]:
     """Rows of the check for the lit area of the target, and for each region."""
     return tuple(Fact(light.name, light.words) for light in found.areas)
+
+
+def area_table(found: Validation) -> Table | None:
+    """Table of the light of the target's lit area and of each region; None without both."""
+    if not found.areas:
+        return None
+    rows = [(_capital(light.name), *light.figures.values()) for light in found.areas]
+    return Table(("Area", *map(_capital, found.areas[0].figures)), tuple(rows))
+
+
+Made = tuple[Element, Manufacture, Limits]
+"""An element with its figures and limits for manufacture."""
+
+
+def result_table(scene: Scene, found: Validation, made: Sequence[Made]) -> Table:
+    """Table of what the design reaches, its limits, and whether each limit is met.
+
+    The error is that of all images; the light is that of the image with the least light.
+    """
+    error = found.verified
+    light = min((image.by_cells or image).efficiency for image in found.images)
+    rows = [
+        _goal_row(
+            scene,
+            "error",
+            ("Relative L2 error", verified_error(error, percent)),
+            error.relative_l2_corrected,
+        ),
+        _goal_row(
+            scene, "light", (_capital(f"light {scene.receiver.place}"), percent(light)), light
+        ),
+    ]
+    for number, image in enumerate(found.images, 1):
+        if image.lit_area is not None:
+            rows += _uniformity_rows(scene, image.lit_area, number if found.further else 0)
+    for element, figures, limits in made:
+        of = f" of the {element.name}" if len(made) > 1 else ""
+        rows += [
+            (
+                _capital(f"{v.name}{of}"),
+                written(v.found.value, v.behind(scene.unit).strip(), 5),
+                v.wanted(scene.unit),
+                _STATES[v.state],
+            )
+            for v in verdicts(figures, limits)
+        ]
+    return Table(("Figure", "Result", "Limit", "Limit met"), tuple(rows))
+
+
+def _goal_row(scene: Scene, key: str, shown: tuple[str, str], value: float) -> tuple[str, ...]:
+    goal = GOALS[key]
+    limit = goal.of(scene)
+    if limit is None:
+        return (*shown, _NO_LIMIT, _NO_LIMIT)
+    number = f"{100 * limit:g} %" if goal.percent else f"{limit:g}"
+    met = goal.judged(scene, value, "bad") == "good"
+    wanted = f"at {'most' if goal.at_most else 'least'} {number}"
+    return (*shown, wanted, _STATES["met" if met else "broken"])
+
+
+def _uniformity_rows(scene: Scene, light: RegionLight, image: int) -> list[tuple[str, ...]]:
+    """Rows of a lit area; ``image`` is the number of its image, 0 for a single one."""
+    of = f", image {image}" if image else ""
+    rows = [
+        (f"{_capital(name)} on the {light.name}{of}", text)
+        for name, text in light.figures.items()
+        if name.startswith(("average", "U"))
+    ]
+    return [
+        _goal_row(scene, "uniformity", row, light.uniformity or 0.0)
+        if row[0].startswith("U₀")
+        else (*row, _NO_LIMIT, _NO_LIMIT)
+        for row in rows
+    ]
+
+
+def _capital(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}"
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:

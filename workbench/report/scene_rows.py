@@ -1,10 +1,12 @@
 """All fields of a scene with their units, and the fields in which two scenes differ."""
 
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from workbench.report.content import Fact
 from workbench.scene import Element, FieldDescription, Part, Scene
+from workbench.scene.part import title_of
 
 _FILE = {"format", "version"}
 _NONE = "–"
@@ -18,10 +20,10 @@ class FieldRow(NamedTuple):
     value: str
 
 
-def scene_rows(scene: Scene) -> tuple[Fact, ...]:
+def scene_rows(scene: Scene) -> dict[str, tuple[Fact, ...]]:
     """Return a row for each field that has a value, by the titles of its parts.
 
-    Elements go by their names; a single image is not counted.
+    Elements go by their names; a single image is not counted; files have no folder.
     """
     named = {
         f"Elements {number} · ": f"{element.name} · "
@@ -29,9 +31,15 @@ def scene_rows(scene: Scene) -> tuple[Fact, ...]:
     }
     if len(scene.images) == 1:
         named["Images 1 · "] = ""
-    return tuple(
-        Fact(_renamed(row.title, named), row.value) for row in field_rows(scene) if row.value
-    )
+    files = dict(scene.files())
+    groups: dict[str, list[Fact]] = {}
+    for row in field_rows(scene):
+        title = _renamed(row.title, named)
+        group, _, name = title.partition(" · ") if " · " in title else ("Scene", "", title)
+        value = Path(files[row.path]).name if row.path in files else row.value
+        if value:
+            groups.setdefault(f"{group[:1].upper()}{group[1:]}", []).append(Fact(name, value))
+    return {group: tuple(rows) for group, rows in groups.items()}
 
 
 def _renamed(title: str, named: Mapping[str, str]) -> str:
@@ -51,7 +59,7 @@ def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]
         part = part.lit(scene.source.wavelength)
     for field in part.fields():
         value, place = getattr(part, field.name), f"{path}{field.name}"
-        called = f"{title}{field.title}"
+        called = f"{title}{field.in_window.title}"
         if isinstance(value, Part):
             yield from _rows(value, f"{place}.", f"{called} · ", scene)
         elif field.listed:
@@ -67,7 +75,9 @@ def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]
 
 
 def field_words(part: Part, field: FieldDescription, scene: Scene) -> str:
-    """Value of a field with its unit and remark; empty for no values."""
+    """Value of a field as forms show it, with its unit and remark; empty for no values."""
+    if len(field.choices) == 1:  # which states the kind of the part
+        return title_of(type(part))
     text = _text(getattr(part, field.name), field)
     if not text:
         return ""
@@ -80,11 +90,13 @@ def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, tuple):
         if value and isinstance(value[0], tuple):  # places
             return "; ".join(", ".join(_text(each, field) for each in place) for place in value)
-        between = " × " if field.between == "×" and not field.several else ", "
+        between = ", " if field.several or field.between == "," else f" {field.between} "
         return between.join(_text(each, field) for each in value)
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return f"{value:.10g}" if isinstance(value, float) else str(value)
+    if isinstance(value, float):
+        return f"{field.times * value:.10g}"
+    return dict(field.choices).get(str(value), str(value))
 
 
 class Difference(NamedTuple):

@@ -12,7 +12,7 @@ from workbench.levels import EXPERT
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
-from workbench.scene.fields import about
+from workbench.scene.fields import Choices, about
 from workbench.scene.image import (
     MOST_IMAGES,
     Image,
@@ -81,6 +81,7 @@ class Scene(Train, SceneFile):
     unit: Annotated[
         Unit,
         EXPERT,
+        Choices(tuple((unit, unit) for unit in units.METRES)),
         about(
             "Unit",
             "Unit of every length in the scene. Another one converts them all: a lens of 1 cm "
