@@ -106,8 +106,8 @@ _TIPS = later(
 
 
 _OF_REGION = later(
-    "Fraction of the emitted flux on the region, and its darkest and brightest pixel over the "
-    "mean; 1 is uniform."
+    "Fraction of the emitted flux on the area, and its light pixel by pixel. U₀ is minimum / "
+    "average, U₁ minimum / maximum; 1 is uniform."
 )
 
 

@@ -1,6 +1,6 @@
 """Two kept runs beside each other: light, difference, losses, figures, and fields that differ."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,7 +23,7 @@ from ui.run.status import clock
 from ui.widgets.controls import Table, filled, side_by_side
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.native import rgb_image
-from ui.words import field_title, later, tr
+from ui.words import capitalised, field_title, later, tr
 from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
 from workbench.extended.bound import percent
@@ -128,24 +128,23 @@ class RunComparison(QDialog):
         """Fill the table: figures of both runs, light of each area, fields that differ."""
         if self._pair is None:
             return
-        own = zip(*map(self._figures_of, self._pair), strict=True)
-        one, other = self._pair
-        apart = [
-            (field_title(each.title), each.values) for each in differences(one.scene, other.scene)
-        ]
+        images = [self._image_of(run) for run in self._pair]
         self.table.setHorizontalHeaderLabels(["", *map(called, self._pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
-        self._add("", [(tr(name), (first, second)) for (name, first), (_, second) in own])
-        areas = [_areas_of(self._image_of(run)) for run in self._pair]
+        own = zip(*map(self._figures_of, self._pair), strict=True)
+        self._add("", ((tr(name), one, other) for (name, one), (_, other) in own))
+        areas = [_areas_of(run) for run in images]
         for area in areas[0] | areas[1]:
-            figures = [found.get(area, {}) for found in areas]
-            names = figures[0] | figures[1]
-            rows = [
-                (tr(name), tuple(tr(each.get(name, "–")) for each in figures)) for name in names
+            one, other = (found.get(area, {}) for found in areas)
+            figures = [
+                (capitalised(tr(name)), tr(one.get(name, "–")), tr(other.get(name, "–")))
+                for name in one | other
             ]
-            self._add(tr(area), rows)
-        self._add(tr(_DIFFER if apart else _SAME), apart)
+            self._add(capitalised(tr(area)), figures)
+        apart = differences(*(run.scene for run in self._pair))
+        fields = ((field_title(each.title), *map(tr, each.values)) for each in apart)
+        self._add(tr(_DIFFER if apart else _SAME), fields)
 
     def _show_image(self) -> None:
         assert self._pair is not None  # since there is a choice
@@ -170,18 +169,13 @@ class RunComparison(QDialog):
         words = self._picture.in_words(event.inaxes, event.xdata, event.ydata)
         self._readout.setText(tr(words or _POINT))
 
-    def _add(self, heading: str, rows: Sequence[tuple[str, Sequence[str]]]) -> None:
-        first = self.table.rowCount()
-        texts = [*([(heading,)] if heading else []), *((name, *values) for name, values in rows)]
-        self.table.setRowCount(first + len(texts))
-        for row, each in enumerate(texts, first):
-            self.table.put(row, each)
-        if heading:
-            item = self.table.item(first, 0)
-            font = item.font()
-            font.setBold(True)
-            item.setFont(font)
-            self.table.setSpan(first, 0, 1, self.table.columnCount())
+    def _add(self, heading: str, rows: Iterable[Sequence[str]]) -> None:
+        for texts in [[heading]] * bool(heading) + list(rows):
+            row = self.table.rowCount()
+            self.table.insertRow(row)
+            self.table.put(row, texts, bold=len(texts) == 1)
+            if len(texts) == 1:
+                self.table.setSpan(row, 0, 1, self.table.columnCount())
 
 
 def _areas_of(run: KeptRun) -> dict[str, dict[str, str]]:

@@ -185,11 +185,14 @@ class Table(QTableWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
 
-    def put(self, row: int, texts: Sequence[str], column: int = 0) -> None:
+    def put(self, row: int, texts: Sequence[str], column: int = 0, bold: bool = False) -> None:
         """Write texts from a column on; each is its own tip, since it may be cut off."""
+        font = self.font()
+        font.setBold(bold)
         for place, text in enumerate(texts, column):
             item = QTableWidgetItem(text)
             item.setToolTip(text)
+            item.setFont(font)
             self.setItem(row, place, item)
 
     def add_action(self, text: str, keys: QKeySequence.StandardKey) -> QAction:

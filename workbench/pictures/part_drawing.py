@@ -130,8 +130,8 @@ class PartDrawing:
             axes, (begin, top), (begin + deep, top), (0, _BESIDE), last - first, "overall "
         )
         half = len(section.front) // 2
-        ends = [(at(*side[half])[0], bottom) for side in (section.front, section.back)]
-        self._dimension(axes, *ends, (0, -_BESIDE), section.thickness(half), "centre ")
+        begins, ends = ((at(*side[half])[0], bottom) for side in (section.front, section.back))
+        self._dimension(axes, begins, ends, (0, -_BESIDE), section.thickness(half), "centre ")
         for place, row in ((top, -1), (bottom, 0)):
             edge = f"edge {self._number(section.thickness(row))}"
             axes.text(begin + deep + 2, place, edge, fontsize=_FONT - 1, color=_THIN, va="center")
@@ -191,8 +191,10 @@ class PartDrawing:
                     "", tip, tip + 5 * way * along, arrowprops={"arrowstyle": "-|>"} | look
                 )
             place, across = ends[1] + 6 * along, "center" if upright else "left"
+        x, y = place
         axes.text(
-            *place,
+            x,
+            y,
             text,
             fontsize=_FONT,
             color=_INK,

@@ -223,8 +223,9 @@ def _draw_row(
         for text, x in zip(line, places, strict=True):
             _write(part, x, (number + 0.8) * _LINE, text, "text", colour=colour)
     left, right = (x / part.bbox.width * part.dpi for x in (_MARGIN, _MARGIN + WIDTH))
-    rule = {"transform": part.transSubfigure, "color": _RULE, "linewidth": 0.5}
-    part.add_artist(Line2D([left, right], [0, 0], **rule))
+    rule = Line2D([left, right], [0, 0], color=_RULE, linewidth=0.5)
+    rule.set_transform(part.transSubfigure)
+    part.add_artist(rule)
 
 
 def _write(

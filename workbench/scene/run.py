@@ -205,7 +205,7 @@ class RunSettings(Part):
         LIMITS,
         about(
             "Uniformity at least",
-            "Goal for least over mean of irradiance / target where the target is lit; 1 is "
+            "Goal for U₀, the minimum over the average irradiance where the target is lit; 1 is "
             "uniform. It is judged and does not change the run.",
         ),
     ] = None
