@@ -7,7 +7,7 @@ import pytest
 
 from tests.accounts import result_of
 from workbench.design.session import KeptRun, Session
-from workbench.design.snapshot import IN_VAIN, SLOW, has_converged
+from workbench.design.snapshot import IN_VAIN, MET, SLOW, has_converged
 from workbench.files.session import read_session, write_session
 from workbench.messages import Message
 
@@ -44,3 +44,12 @@ def test_why_a_run_ended_comes_back_with_its_values(session, tmp_path):
     assert found.values["ended"].words == SLOW
     assert found.values["ended"].values == {"gain": 0.25, "patience": 5}
     assert has_converged(found)
+
+
+def test_a_run_that_met_its_goal_is_kept(session, tmp_path):
+    path = tmp_path / "met.freeform"
+    ended = Message(MET, error="1.9 %", goal="2.0 %")
+    write_session(replace(session, result=replace(session.result, ended=ended)), path)
+    found = read_session(path).result.ended
+    assert (found, found.words) == (ended, MET)
+    assert found.values == {"error": "1.9 %", "goal": "2.0 %"}

@@ -87,11 +87,14 @@ class FurtherFigures(Part):
         )
 
 
+_Reason = Annotated[str, Field(max_length=LONGEST_REASON)]
+
+
 class SavedMessage(Part):
     """A message of the program with its values, which the window can translate."""
 
-    words: Annotated[str, Field(max_length=LONGEST_REASON)]
-    values: dict[str, "int | float | SavedMessage"]
+    words: _Reason
+    values: dict[str, "int | float | _Reason | SavedMessage"]
 
     @classmethod
     def of(cls, text: str) -> Self | None:
@@ -123,7 +126,7 @@ class Figures(Part):
     ledger: Ledger
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None
-    ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # reason
+    ended: _Reason | None = None  # reason
     ending: SavedMessage | None = None  # the reason with its values
     shortfall: ShortfallFigures | None = None
     further_images: tuple[FurtherFigures, ...] | None = None
