@@ -85,7 +85,7 @@ def test_the_lit_area_has_an_average_and_both_uniformities():
 def test_a_pixel_that_is_lit_in_part_does_not_count_as_dark():
     target = np.zeros((32, 32))
     target[8:24, 8:24] = 1.0
-    target[8, 8:24] = 0.9
+    target[8:24, 8] = target[8, 8:24] = 0.6
     light = light_of_lit_area(lit_scene(), target, 0.1 * target)
     assert (light.mean, light.uniformity, light.least_over_most) == pytest.approx((0.1, 1, 1))
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from scipy.ndimage import binary_erosion
 from scipy.spatial import ConvexHull
 
 from workbench.analysis.metrics import lit, lit_light
@@ -111,7 +112,9 @@ def light_of_lit_area(scene: Scene, target: Array, irradiance: Array) -> RegionL
 def even_area(target: Array) -> Mask | None:
     """Return where a target is lit, if that is one even area without holes or bays."""
     area = lit(target)
-    inside = target[area]
+    # Pixels at its edge may be lit in part.
+    within = binary_erosion(area, border_value=True)
+    inside = target[within if within.any() else area]
     if inside.std() > _EVEN * inside.mean():
         return None
     rows = np.flatnonzero(area.any(axis=1))

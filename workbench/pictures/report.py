@@ -30,6 +30,7 @@ from workbench.pictures.images import (
     to_colours,
 )
 from workbench.pictures.manufacture import draw_manufacture
+from workbench.pictures.regions import RegionMarks
 from workbench.pictures.section import SectionCurves, cut_through
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 from workbench.scene import Element, Scene
@@ -53,7 +54,7 @@ _COLUMNS = (0.0, 1.85, 3.8, 5.65)  # inches: names and values of two rows
 _DIGITS = 6  # of positions, in parts of a page
 _TOGETHER = 16  # rows that stay on one page
 _NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 28, 29, 112
-_CELL_GAP = 2  # letters, between columns of a table
+_CELL_GAP = 3  # letters, between columns of a table
 _Line = tuple[str, ...]
 __all__ = [
     "draw_faces",
@@ -293,6 +294,7 @@ def draw_images(figure: "FigureBase", session: Session, irradiance: Array) -> No
         image.outlined = True
         image.set_colours(UNSIGNED[0])
     image.update(irradiance)
+    RegionMarks(lit, scene)
     ErrorImage(off, scene, target).update(irradiance)
     density = scene.receiver.density.capitalize()
     for axes, title in zip((lit, off), (density, f"{density} − target"), strict=True):
