@@ -1,11 +1,16 @@
 """Drawing of a part: its dimensions and its scale on paper."""
 
+import json
+
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from resources import path
 from tests.analysis.lenses import net_of
+from workbench.geometry.surface import nets_of
 from workbench.pictures.part_drawing import PartDrawing
+from workbench.scene import Scene
 
 WIDTH = 7.5
 
@@ -63,3 +68,24 @@ def test_the_rim_of_an_ellipse_is_drawn(make_scene):
     front = axes.patches[0].get_path().vertices
     middle = (front.max(axis=0) + front.min(axis=0)) / 2
     assert np.hypot(*(front - middle).T) == pytest.approx(20, rel=1e-6)
+
+
+def test_both_sections_of_a_mirror_have_the_same_flat_back():
+    data = json.loads(path("examples", "mirror-letter.json").read_text())
+    data["elements"][0]["faces"][0]["control_points"] = [8, 8]
+    scene = Scene.from_data(data)
+    ((face, net),) = nets_of(scene).items()
+    rises = np.linspace(0, 3, net.shape[0])[:, None] * np.ones(net.shape[1])  # along x
+    drawing = PartDrawing(scene.optic, {face: rises}, scene.unit, WIDTH)
+    figure = Figure(figsize=(WIDTH, drawing.height))
+    drawing.draw(figure)
+    texts = [text.get_text() for text in figure.axes[0].texts]
+    (centre,) = (text.removeprefix("centre ") for text in texts if text.startswith("centre"))
+    assert texts.count(f"edge {centre}") == 2  # across y
+    thin, thick = sorted(
+        float(text.removeprefix("edge "))
+        for text in texts
+        if text.startswith("edge") and not text.endswith(centre)
+    )
+    assert thick - thin == pytest.approx(3)
+    assert (thin + thick) / 2 == pytest.approx(float(centre))

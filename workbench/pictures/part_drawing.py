@@ -1,7 +1,7 @@
 """Drawing of a part: front view and two sections at a round scale, with dimensions in mm or inch.
 
-Views lie as in first-angle projection: the front view is seen against the light, the section A–A
-from −x at its right, the section B–B from above below it.
+Views lie as in first-angle projection: the front view is seen from +z, the section A–A from −x at
+its right, the section B–B from above below it.
 """
 
 from collections.abc import Mapping
@@ -26,7 +26,8 @@ _SAMPLES = 201  # along each face
 # mm of paper: around the views, between them, of a dimension beside a view.
 _MARGIN, _GAP, _BESIDE = 16.0, 26.0, 9.0
 _TALLEST = 120.0  # of the views with the gap, mm of paper
-_SHORT = 14.0  # a dimension below this has its arrows outside, mm of paper
+# A dimension that is too short for its text has its arrows outside; mm of paper, for each letter.
+_SHORT, _LETTER = 6.0, 1.8
 _BEYOND = 3.0  # of centre lines and extension lines, mm of paper
 _GLASS, _INK, _THIN = "#cfe3f5", "#1d232b", "#5b6470"
 _FONT = 8
@@ -54,23 +55,20 @@ class PartDrawing:
         self, element: Element, heights: Mapping[str, Array], unit: str, width: float
     ) -> None:
         self.unit = "inch" if unit == "inch" else "mm"
-        self._factor = float(ratio(unit, self.unit))
         self._width = width * _MM
-        line, middle = np.linspace(-1, 1, _SAMPLES), np.zeros(1)
-
-        def sides(u: Array, v: Array) -> list[Array]:
-            own = [element.seen(points) for points in element_sides(element, u, v, heights)]
-            return [self._factor * points.reshape(-1, 3) for points in own]
-
-        whole = np.concatenate(sides(line, line))
-        low, high = whole.min(axis=0), whole.max(axis=0)
+        line, middle = np.linspace(-1, 1, _SAMPLES), _SAMPLES // 2
+        front, back = sides = [
+            float(ratio(unit, self.unit)) * element.seen(points)
+            for points in element_sides(element, line, line, heights)
+        ]
+        points = np.concatenate(sides).reshape(-1, 3)
+        low, high = points.min(axis=0), points.max(axis=0)
         self._depths = float(low[2]), float(high[2])
         self._size = high[:2] - low[:2]
-        edges = [sides(*ends)[0] for ends in ((line, -middle - 1), (middle + 1, line))]
-        top_left = [sides(*ends)[0][::-1] for ends in ((line, middle + 1), (middle - 1, line))]
-        self._rim = np.concatenate([*edges, *top_left])[:, :2]
-        self._upright = _Section(*(points[:, [1, 2]] for points in sides(middle, line)))
-        self._level = _Section(*(points[:, [0, 2]] for points in sides(line, middle)))
+        around = front[:, 0], front[-1], front[::-1, -1], front[0, ::-1]
+        self._rim = np.concatenate(around)[:, :2]
+        self._upright = _Section(front[middle][:, [1, 2]], back[middle][:, [1, 2]])
+        self._level = _Section(front[:, middle][:, [0, 2]], back[:, middle][:, [0, 2]])
         depth = high[2] - low[2]
         per_unit = float(ratio(self.unit, "mm"))
         room = self._width - 2 * _MARGIN - _GAP, _TALLEST - _GAP
@@ -181,7 +179,7 @@ class PartDrawing:
         look: dict[str, Any] = {"linewidth": 0.6, "color": _THIN, "shrinkA": 0, "shrinkB": 0}
         text = f"{name}{self._number(value)}"
         upright = abs(along[1]) > abs(along[0])
-        if length >= _SHORT:
+        if length >= _SHORT + _LETTER * len(text):
             axes.annotate("", ends[0], ends[1], arrowprops={"arrowstyle": "<|-|>"} | look)
             above = np.array([-1.8, 0.0]) if upright else np.array([0.0, 1.8])
             place, across = (ends[0] + ends[1]) / 2 + above, "center"

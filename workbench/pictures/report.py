@@ -134,7 +134,8 @@ class Pages:
             ]
             lines = list(zip_longest(*cells, fillvalue=""))
             draw = partial(_draw_row, lines, places, _INK if number else _PALE)
-            self._blocks.append(_Block((len(lines) + 0.4) * _LINE, draw, heads=not number))
+            heads = number < len(rows) if len(rows) < _TOGETHER else not number
+            self._blocks.append(_Block((len(lines) + 0.4) * _LINE, draw, heads))
 
     def picture(self, draw: Draw, height: float) -> None:
         """Add a picture over the whole width, height in inches."""
@@ -265,8 +266,11 @@ def draw_lens(figure: "FigureBase", session: Session, lights: Sequence[Array]) -
     axes.set_axis_off()
 
 
-def draw_seen(figure: "FigureBase", session: Session, irradiance: Array) -> None:
-    """Draw the light as its viewer sees it, and the target, in the same greys."""
+def draw_seen(figure: "FigureBase", session: Session, irradiance: Array, which: str = "") -> None:
+    """Draw the light as its viewer sees it, and the target, in the same greys.
+
+    ``which`` follows both titles.
+    """
     scene, target = session.scene, session.target
     flux = scene.receiver.total(irradiance)
     top = full_scale(scene, target, flux)
@@ -275,7 +279,7 @@ def draw_seen(figure: "FigureBase", session: Session, irradiance: Array) -> None
     for axes, light, title in zip(panels, lights, ("Light", "Target"), strict=True):
         axes.imshow(to_colours(as_viewed(scene, light), top, AS_SEEN), aspect=aspect(scene))
         axes.set(xticks=[], yticks=[])
-        axes.set_title(title, fontsize=_FONT)
+        axes.set_title(f"{title}{which}", fontsize=_FONT)
 
 
 def aspect(scene: Scene) -> float:

@@ -46,8 +46,8 @@ from workbench.units import sized
 _SAMPLES = 257  # samples of maps along the longer side of the lens
 # Inches: height of a row of two panels without the panels, width of a panel, tallest row.
 _BESIDE, _PANEL, _ROW = 0.75, 2.4, 3.1
-# Inches: title over a picture beside another one, its width, and both pictures at most.
-_TITLE, _HALF, _SEEN = 0.3, 3.7, 4.6
+# Inches: title over a picture beside another one, its width, and height of both pictures at most.
+_TITLE, _HALF, _SEEN, _SEEN_OF_SEVERAL = 0.3, 3.7, 4.6, 2.7
 _VIEW = 3.7  # inches, height of the 3D view
 
 
@@ -124,7 +124,7 @@ def gather(
 
 def _limits(scene: Scene, optic: Element) -> Limits:
     return Limits(
-        min_thickness=optic.least_thickness,
+        min_thickness=optic.least_thickness or None,
         min_radius=scene.run.min_radius,
         min_tool_radius=scene.run.min_tool_radius,
     )
@@ -132,8 +132,9 @@ def _limits(scene: Scene, optic: Element) -> Limits:
 
 def _seen_picture(session: Session, found: Validation, which: str) -> PagePicture:
     x, y = session.scene.receiver.half_extent
-    draw = partial(pictures.draw_seen, session=session, irradiance=_clearest(found))
-    return PagePicture(f"Light and target{which}", draw, min(_TITLE + _HALF * y / x, _SEEN))
+    draw = partial(pictures.draw_seen, session=session, irradiance=_clearest(found), which=which)
+    most = _SEEN_OF_SEVERAL if which else _SEEN
+    return PagePicture(f"Light and target{which}", draw, min(_TITLE + _HALF * y / x, most))
 
 
 def _size_in_words(scene: Scene) -> str:
@@ -153,8 +154,8 @@ def _drawing(scene: Scene, optic: Element, heights: Mapping[str, Array]) -> Sect
         "Drawing" if len(scene.optics) == 1 else f"Drawing of {optic.name}",
         pictures=(PagePicture("Front view and sections", drawing.draw, drawing.height),),
         note=f"Dimensions in {drawing.unit}, scale {drawing.scale_in_words} on A4, first-angle "
-        "projection; the front view is seen against the light. The freeform faces are those of "
-        "the exported file.",
+        "projection; the front view is seen from +z. The freeform faces are those of the exported "
+        "file.",
     )
 
 
