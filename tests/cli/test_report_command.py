@@ -4,6 +4,7 @@ import json
 import logging
 import math
 import os
+import re
 import shutil
 import textwrap
 from datetime import datetime
@@ -119,6 +120,20 @@ class TestHtml:
     @pytest.fixture
     def page(self, reports):
         return (reports / "out.html").read_text()
+
+    def test_it_begins_with_light_result_and_drawing(self, page, wavy):
+        found = Page(page)
+        assert found.headings[:4] == [wavy.stem, "Light on the screen", "Result", "Drawing"]
+        assert [image["alt"] for image in found.images][:2] == [
+            "Light and target",
+            "Front view and sections",
+        ]
+
+    def test_fields_have_the_words_of_forms(self, page):
+        found = Page(page)
+        fields = {name: value for name, value in found.rows.items() if name[0].isupper()}
+        assert fields["Back face · Height range"] == "-0.3 to 0.3 cm"
+        assert not [text for text in (*fields, *fields.values()) if re.search(r"\w_\w|\]\.", text)]
 
     @pytest.mark.full
     def test_mitsuba_stands_beside_the_check(self, freeform, lens, tmp_path, monkeypatch):

@@ -72,7 +72,7 @@ def test_the_rim_of_an_ellipse_is_drawn(make_scene):
 
 def test_both_sections_of_a_mirror_have_the_same_flat_back():
     data = json.loads(path("examples", "mirror-letter.json").read_text())
-    data["elements"][0]["faces"][0]["control_points"] = [8, 8]
+    data["elements"][0]["face"]["control_points"] = [8, 8]
     scene = Scene.from_data(data)
     ((face, net),) = nets_of(scene).items()
     rises = np.linspace(0, 3, net.shape[0])[:, None] * np.ones(net.shape[1])  # along x
