@@ -44,23 +44,21 @@ class SideDrawing(QWidget):
         return along, across
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if self._view is None:
+        view = self._view
+        if view is None:
             return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         scheme = "dark" if theme.is_dark(self.palette()) else "light"
         light, glass = QColor(_LIGHT[scheme]), QColor(_GLASS[scheme])
         ink = self.palette().windowText().color()
-        view = self._view
         painter.setPen(QPen(light, 1.2))
         for ray in view.rays:
             painter.drawPolyline(self._line(ray))
-        filled = QColor(glass)
-        filled.setAlphaF(0.45)
         painter.setPen(QPen(glass, 1.5))
-        painter.setBrush(filled)
+        glass.setAlphaF(0.45)
+        painter.setBrush(glass)
         painter.drawPolygon(self._line(view.optic))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(ink, 3))
         painter.drawPolyline(self._line(view.receiver))
         painter.setPen(QPen(light, 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
@@ -69,7 +67,7 @@ class SideDrawing(QWidget):
             painter.drawPoints(self._line(view.source))
         painter.setPen(QPen(ink, 1))
         self._lengths(painter, view.dimensions)
-        self._remark(painter)
+        painter.drawText(QPointF(4, self.fontMetrics().ascent() + 2), self._remark(view))
         painter.end()
 
     def _area(self) -> QRectF:
@@ -81,35 +79,31 @@ class SideDrawing(QWidget):
     def _line(self, points: Array) -> QPolygonF:
         assert self._view is not None  # or nothing is drawn
         left, right, low, high = self._view.bounds
-        area, (along, across) = self._area(), self.scales
-        begin = area.center().x() - along * (left + right) / 2
-        middle = area.center().y() + across * (low + high) / 2
-        return QPolygonF([QPointF(begin + along * z, middle - across * y) for z, y in points])
+        middle, (along, across) = self._area().center(), self.scales
+        places = (points - [(left + right) / 2, (low + high) / 2]) * [along, -across]
+        return QPolygonF([middle + QPointF(x, y) for x, y in places.tolist()])
 
     def _lengths(self, painter: QPainter, dimensions: Sequence[Dimension]) -> None:
-        metrics, line = self.fontMetrics(), self.fontMetrics().lineSpacing()
+        line = self.fontMetrics().lineSpacing()
         row = self._area().bottom() + 0.5 * line
         for dimension in dimensions:
             first, last = (self._line(dimension.ends).at(end) for end in (0, 1))
-            if dimension.distance and not _along(dimension):
-                self._aslant(painter, first, last, dimension.text)
-                continue
+            middle = (first.x() + last.x()) / 2
             if not dimension.distance:
-                top = min(first.y(), last.y())
-                wide = metrics.horizontalAdvance(dimension.text)
-                middle = (first.x() + last.x()) / 2
-                at = min(max(middle - wide / 2, 2.0), self.width() - wide - 2.0)
-                painter.drawText(QPointF(at, top - 0.35 * line), dimension.text)
-                continue
-            row += 1.3 * line
-            ends = [QPointF(min(first.x(), last.x()), row), QPointF(max(first.x(), last.x()), row)]
-            painter.drawLine(*ends)
-            for end in ends:
-                painter.drawLine(end + QPointF(0, -_ARROW), end + QPointF(0, _ARROW))
-            wide = metrics.horizontalAdvance(dimension.text)
-            middle = (ends[0].x() + ends[1].x()) / 2
-            at = min(max(middle - wide / 2, 2.0), self.width() - wide - 2.0)
-            painter.drawText(QPointF(at, row - 0.25 * line), dimension.text)
+                self._write(painter, middle, min(first.y(), last.y()) - 0.35 * line, dimension.text)
+            elif not _along(dimension):
+                self._aslant(painter, first, last, dimension.text)
+            else:
+                row += 1.3 * line
+                painter.drawLine(QPointF(first.x(), row), QPointF(last.x(), row))
+                for end in (first.x(), last.x()):
+                    painter.drawLine(QPointF(end, row - _ARROW), QPointF(end, row + _ARROW))
+                self._write(painter, middle, row - 0.25 * line, dimension.text)
+
+    def _write(self, painter: QPainter, middle: float, y: float, text: str) -> None:
+        wide = self.fontMetrics().horizontalAdvance(text)
+        left = min(max(middle - wide / 2, 2.0), self.width() - wide - 2.0)
+        painter.drawText(QPointF(left, y), text)
 
     def _aslant(self, painter: QPainter, first: QPointF, last: QPointF, text: str) -> None:
         painter.save()
@@ -124,16 +118,12 @@ class SideDrawing(QWidget):
         painter.fillRect(ground, self.palette().window())
         painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, text)
 
-    def _remark(self, painter: QPainter) -> None:
-        assert self._view is not None  # or nothing is drawn
+    def _remark(self, view: SideView) -> str:
         along, across = self.scales
-        seen = tr("From the side") if self._view.across == "y" else tr("From above")
-        scale = (
-            tr(", heights × {across:.1f}").format(across=across / along)
-            if across > 1.01 * along
-            else tr(", to scale")
-        )
-        painter.drawText(QPointF(4, self.fontMetrics().ascent() + 2), seen + scale)
+        seen = tr("From the side") if view.across == "y" else tr("From above")
+        if across > 1.01 * along:
+            return seen + tr(", heights × {across:.1f}").format(across=across / along)
+        return seen + tr(", to scale")
 
 
 def _along(dimension: Dimension) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from matplotlib.figure import Figure
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
     QComboBox,
@@ -32,6 +32,7 @@ from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import written
 from workbench.report.scene_rows import differences
 from workbench.scene.image import as_viewed
+from workbench.targets.raster import averaged
 
 
 def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
@@ -55,15 +56,9 @@ def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
     """Return a thumbnail of the irradiance of a run."""
     receiver, light = run.scene.receiver, run.result.state.irradiance
     top = full_scale(run.scene, run.target, receiver.total(light))
-    seen, step = as_viewed(run.scene, light), max(1, max(light.shape) // (2 * side))
-    image = rgb_image(to_colours(seen[::step, ::step], top, colours_for(run.scene)))
-    (r_x, r_y) = receiver.half_extent
-    width, height = (round(side * r / max(r_x, r_y)) or 1 for r in (r_x, r_y))
-    stretched, smooth = (
-        Qt.AspectRatioMode.IgnoreAspectRatio,
-        Qt.TransformationMode.SmoothTransformation,
-    )
-    return QPixmap.fromImage(image.scaled(width, height, stretched, smooth))
+    width, height = (round(side * r / max(receiver.half_extent)) or 1 for r in receiver.half_extent)
+    seen = averaged(as_viewed(run.scene, light), (height, width))
+    return QPixmap.fromImage(rgb_image(to_colours(seen, top, colours_for(run.scene))))
 
 
 _SIZE = QSize(1180, 740)
