@@ -32,6 +32,7 @@ from workbench.pictures.images import colours_for, full_scale, to_colours
 from workbench.powers import written
 from workbench.report.scene_rows import differences
 from workbench.scene.image import as_viewed
+from workbench.scene.part import title_of
 from workbench.targets.raster import averaged
 
 
@@ -46,7 +47,7 @@ def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
         ("Time", clock(result.seconds)),
         ("Iterations", f"{result.iterations}"),
         ("Net", f"{n_u} × {n_v}"),
-        ("Method", run.scene.run.method),
+        ("Method", tr(title_of(type(run.scene.run)))),
         ("Loss", written(result.state.loss)),
         ("Ended", tr(result.ended) or "–"),
     ]

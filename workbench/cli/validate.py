@@ -92,6 +92,9 @@ def validate(
         raise RunFailed(found.contradiction)
 
 
+_WHERE_LIT = "(least over mean where the target is lit)"
+
+
 def _figures(found: Validation, lights: Sequence[Array | None], scene: Scene) -> dict[str, Any]:
     figures = found.to_data()
     each = figures, *figures.get("further_images", ())
@@ -151,7 +154,7 @@ def _print(found: Validation, difference: float | None) -> None:
         "PSNR": _or_dash(quality.psnr, ".2f", " dB"),
         "SSIM": f"{quality.ssim:.5f}",
         "correlation": _or_dash(quality.correlation, ".5f"),
-        "uniformity": f"{quality.uniformity:.5f}  (least over mean where the target is lit)",
+        **({} if found.lit_area else {"uniformity": f"{quality.uniformity:.5f}  {_WHERE_LIT}"}),
         "contrast": _or_dash(quality.contrast, ".5f"),
         "optimiser's image": _or_dash(difference, ".5f", "  (relative L2 difference to it)"),
         **(found.shading.figures if found.shading else {}),

@@ -105,7 +105,7 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert names(window) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     session = window.document.session
     error = f"{100 * relative_error(session.result.state, session.target):.1f} %"
-    figures = ["Top hat", error, "1.25 %", "92.0 %", "0:01", "12", "12 × 10", "auto"]
+    figures = ["Top hat", error, "1.25 %", "92.0 %", "0:01", "12", "12 × 10", "Automatic"]
     assert texts(window, 1)[1:] == [*figures, "0.1429", "all iterations are done"]
     assert not table(window).item(1, 0).icon().isNull()
     window.commands["undo"].trigger()
