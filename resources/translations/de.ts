@@ -3370,8 +3370,8 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Fraction of the emitted flux on the region, and its darkest and brightest pixel over the mean; 1 is uniform.</source>
-            <translation>Anteil des ausgesandten Flusses auf dem Bereich, und dessen dunkelster und hellster Pixel über dem Mittel; 1 ist gleichmäßig.</translation>
+            <source>Fraction of the emitted flux on the area, and its light pixel by pixel. U₀ is minimum / average, U₁ minimum / maximum; 1 is uniform.</source>
+            <translation>Anteil des ausgesandten Flusses auf dem Bereich, und dessen Licht Pixel für Pixel. U₀ ist Minimum / Mittelwert, U₁ Minimum / Maximum; 1 ist gleichmäßig.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -6751,8 +6751,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Goal for least over mean of irradiance / target where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
-            <translation>Vorgabe für Minimum über Mittel von Bestrahlungsstärke / Ziel, wo das Ziel hell ist; 1 ist gleichmäßig. Sie wird beurteilt und ändert den Lauf nicht.</translation>
+            <source>Goal for U₀, the minimum over the average irradiance where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
+            <translation>Vorgabe für U₀, Minimum über Mittelwert der Bestrahlungsstärke, wo das Ziel hell ist; 1 ist gleichmäßig. Sie wird beurteilt und ändert den Lauf nicht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7841,18 +7841,53 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, least / mean {even}</source>
-            <translation>{part:.3f} % des Lichts, kleinste / mittlere {even}</translation>
+            <source>part of the light</source>
+            <translation>Anteil des Lichts</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}</source>
-            <translation>{part:.3f} % des Lichts, kleinste / mittlere {even}, größte / mittlere {most:.3f}</translation>
+            <source>average</source>
+            <translation>Mittelwert</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
-            <translation>{part:.3f} % des Lichts, {lumens}, im Mittel {mean}, mindestens {least}, höchstens {most}, kleinste / mittlere {even}</translation>
+            <source>minimum</source>
+            <translation>Minimum</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>maximum</source>
+            <translation>Maximum</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>U₀ (minimum / average)</source>
+            <translation>U₀ (Minimum / Mittelwert)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>U₁ (minimum / maximum)</source>
+            <translation>U₁ (Minimum / Maximum)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{times:.3f} × average</source>
+            <translation>{times:.3f} × Mittelwert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part} of the light, average {average}, minimum {least}, maximum {most}, U₀ {even}, U₁ {ends}</source>
+            <translation>{part} des Lichts, Mittelwert {average}, Minimum {least}, Maximum {most}, U₀ {even}, U₁ {ends}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>whole receiver</source>
+            <translation>ganzer Empfänger</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>lit area of the target</source>
+            <translation>heller Bereich des Ziels</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />
@@ -9525,11 +9560,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Quelle</translation>
         </message>
         <message>
-            <location filename="../../workbench/pictures/regions.py" />
-            <source>least / mean {number:.2f}</source>
-            <translation>kleinste / mittlere {number:.2f}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/pictures/section.py" />
             <source>distance</source>
             <translation>Abstand</translation>
@@ -9631,8 +9661,13 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.</source>
-            <translation>{mean:.2f} Gleichmäßigkeit (Minimum / Mittel); Minimum / Maximum ist {most:.2f}.</translation>
+            <source>{even:.2f} uniformity U₀ (minimum / average) on the {area}; U₁ (minimum / maximum) is {ends:.2f}.</source>
+            <translation>{even:.2f} Gleichmäßigkeit U₀ (Minimum / Mittelwert), {area}; U₁ (Minimum / Maximum) ist {ends:.2f}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{sentence} Average: {average}.</source>
+            <translation>{sentence} Mittelwert: {average}.</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />

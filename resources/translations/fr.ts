@@ -3370,8 +3370,8 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Fraction of the emitted flux on the region, and its darkest and brightest pixel over the mean; 1 is uniform.</source>
-            <translation>Part du flux émis sur la région, et son pixel le plus sombre et le plus clair sur la moyenne ; 1 est uniforme.</translation>
+            <source>Fraction of the emitted flux on the area, and its light pixel by pixel. U₀ is minimum / average, U₁ minimum / maximum; 1 is uniform.</source>
+            <translation>Part du flux émis sur la zone, et sa lumière pixel par pixel. U₀ est minimum / moyenne, U₁ minimum / maximum ; 1 est uniforme.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -6751,8 +6751,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Goal for least over mean of irradiance / target where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
-            <translation>Objectif pour le minimum sur la moyenne de éclairement / cible où la cible est éclairée ; 1 est uniforme. Il est jugé et ne change pas l'exécution.</translation>
+            <source>Goal for U₀, the minimum over the average irradiance where the target is lit; 1 is uniform. It is judged and does not change the run.</source>
+            <translation>Objectif pour U₀, le minimum sur la moyenne de l'éclairement où la cible est éclairée ; 1 est uniforme. Il est jugé et ne change pas l'exécution.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7841,18 +7841,53 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, least / mean {even}</source>
-            <translation>{part:.3f} % de la lumière, minimum / moyenne {even}</translation>
+            <source>part of the light</source>
+            <translation>part de la lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}</source>
-            <translation>{part:.3f} % de la lumière, minimum / moyenne {even}, maximum / moyenne {most:.3f}</translation>
+            <source>average</source>
+            <translation>moyenne</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
-            <translation>{part:.3f} % de la lumière, {lumens}, moyenne {mean}, minimum {least}, maximum {most}, minimum / moyenne {even}</translation>
+            <source>minimum</source>
+            <translation>minimum</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>maximum</source>
+            <translation>maximum</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>U₀ (minimum / average)</source>
+            <translation>U₀ (minimum / moyenne)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>U₁ (minimum / maximum)</source>
+            <translation>U₁ (minimum / maximum)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{times:.3f} × average</source>
+            <translation>{times:.3f} × moyenne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part} of the light, average {average}, minimum {least}, maximum {most}, U₀ {even}, U₁ {ends}</source>
+            <translation>{part} de la lumière, moyenne {average}, minimum {least}, maximum {most}, U₀ {even}, U₁ {ends}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>whole receiver</source>
+            <translation>récepteur entier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>lit area of the target</source>
+            <translation>zone éclairée de la cible</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/shading.py" />
@@ -9525,11 +9560,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>source</translation>
         </message>
         <message>
-            <location filename="../../workbench/pictures/regions.py" />
-            <source>least / mean {number:.2f}</source>
-            <translation>minimum / moyenne {number:.2f}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/pictures/section.py" />
             <source>distance</source>
             <translation>distance</translation>
@@ -9631,8 +9661,13 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>{mean:.2f} uniformity (least / mean); least / most is {most:.2f}.</source>
-            <translation>{mean:.2f} d'uniformité (minimum / moyenne) ; minimum / maximum est {most:.2f}.</translation>
+            <source>{even:.2f} uniformity U₀ (minimum / average) on the {area}; U₁ (minimum / maximum) is {ends:.2f}.</source>
+            <translation>{even:.2f} d'uniformité U₀ (minimum / moyenne), {area} ; U₁ (minimum / maximum) est {ends:.2f}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{sentence} Average: {average}.</source>
+            <translation>{sentence} Moyenne : {average}.</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
