@@ -1040,6 +1040,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Pinned</source>
+            <translation>Angeheftet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Manufacture</source>
             <translation>Fertigung</translation>
         </message>
@@ -4027,6 +4032,26 @@
             <location filename="../../ui/views/light_images.py" />
             <source>Lines of equal light, with their values</source>
             <translation>Linien gleicher Beleuchtung mit ihren Werten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pin this image</source>
+            <translation>Dieses Bild anheften</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pin this image to compare others with it; again to remove it</source>
+            <translation>Dieses Bild anheften, um andere damit zu vergleichen; nochmals: entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Nothing is pinned. The pin below the image of light pins it.</source>
+            <translation>Nichts ist angeheftet. Die Nadel unter dem Lichtbild heftet es an.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pinned after {count} iterations, error {error}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />

@@ -1040,6 +1040,11 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Pinned</source>
+            <translation>Épinglée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Manufacture</source>
             <translation>Fabrication</translation>
         </message>
@@ -4027,6 +4032,26 @@
             <location filename="../../ui/views/light_images.py" />
             <source>Lines of equal light, with their values</source>
             <translation>Lignes d'égale lumière, avec leurs valeurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pin this image</source>
+            <translation>Épingler cette image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pin this image to compare others with it; again to remove it</source>
+            <translation>Épingler cette image pour lui comparer d'autres ; de nouveau pour la retirer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Nothing is pinned. The pin below the image of light pins it.</source>
+            <translation>Rien n'est épinglé. L'épingle sous l'image de lumière l'épingle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_images.py" />
+            <source>Pinned after {count} iterations, error {error}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />

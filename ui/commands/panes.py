@@ -31,6 +31,7 @@ PANES = {
     "surface": Pane("Surface", "5", image=True),
     "derivative": Pane("Derivative", image=True),
     "focus": Pane("Through focus", image=True),
+    "pinned": Pane("Pinned", image=True),
     "check": Pane("Check"),
     "manufacture": Pane("Manufacture"),
     "tolerances": Pane("Tolerances"),

@@ -19,6 +19,8 @@ from ui.views.shared_view import Place, SharedView
 from ui.widgets import theme
 from ui.words import capitalised, later, tr
 from workbench.arrays import Array
+from workbench.design.loss import relative_error
+from workbench.extended.bound import percent
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, suits_contours, target_irradiance
@@ -216,7 +218,20 @@ class LightImageView(ScreenImageView):
 
 
 class IrradianceView(LightImageView):
-    """View of the irradiance as computed by the optimiser."""
+    """View of the irradiance as computed by the optimiser, which can be pinned."""
+
+    def __init__(self, shared: SharedView | None = None) -> None:
+        super().__init__(shared)
+        self._pin = self._add_tool(
+            "pin",
+            tr("Pin this image"),
+            tr("Pin this image to compare others with it; again to remove it"),
+        )
+        self._pin.clicked.connect(lambda on: self._shared.pin_image(self._frame if on else None))
+
+    def _adapt(self) -> bool:
+        self._pin.setChecked(self._shared.now.reference is not None)
+        return super()._adapt()
 
     def _shown_array(self, frame: "Frame") -> Array:
         return frame.state.irradiance
@@ -225,6 +240,34 @@ class IrradianceView(LightImageView):
         assert self._regions is not None  # since there is a picture
         self._regions.show_light(frame.state.irradiance)
         return super()._change(frame)
+
+
+class PinnedView(IrradianceView):
+    """View of the pinned irradiance, whatever is designed meanwhile."""
+
+    _NOTHING = later("Nothing is pinned. The pin below the image of light pins it.")
+    _WAITING = _NOTHING
+
+    def show_frame(self, frame: "Frame") -> None:
+        self._frame = frame
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Stay as it is: the image is of its own design."""
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        pinned = self._shared.now.reference
+        super()._draw(session if pinned is None else pinned.session, pinned)
+
+    def _options(self) -> tuple[object, ...]:
+        return *super()._options(), self._shared.now.reference
+
+    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+        pinned = self._shared.now.reference
+        if pinned is None:
+            return ("",)
+        error = percent(relative_error(pinned.state, pinned.session.target))
+        text = tr("Pinned after {count} iterations, error {error}")
+        return text.format(count=pinned.result.iterations, error=error), ""
 
 
 _TIP = later(

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from workbench.geometry.faces import ControlPoint
 
 if TYPE_CHECKING:
+    from ui.document.frame import Frame
     from workbench.pictures.surface import FaceColours
     from workbench.scene import Scene
 
@@ -30,6 +31,7 @@ class ViewOptions:
     draft: tuple[Place, ...] = ()  # outline of the region that is being drawn
     logarithmic: bool = False
     contours: bool | None = None  # lines of equal light; None where they help
+    reference: "Frame | None" = None  # whose light is pinned, of this or another design
 
     rays: int = 15  # along each axis: a divisor of `ui.document.frame.RAYS`, or 0
     exploded: bool = False
@@ -56,6 +58,7 @@ class SharedView(QObject):
     pointed = Signal(object)  # tuple[float, float] or None
     pinned = Signal(object)  # tuple[float, float]
     drawn = Signal(object)  # tuple
+    image_pinned = Signal(bool)
     regions_drawn = Signal(object, str)  # tuple of AnyRegion, str
     picked = Signal(object)  # ControlPoint
 
@@ -79,6 +82,11 @@ class SharedView(QObject):
         if on:
             self.mark_regions(False)
         self.show(drawing=on)
+
+    def pin_image(self, frame: "Frame | None") -> None:
+        """Pin the light of a frame until another is pinned; None removes it."""
+        self.show(reference=frame)
+        self.image_pinned.emit(frame is not None)
 
     def mark_regions(self, on: bool) -> None:
         """Let dragging and clicking mark regions, or not."""

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
-from ui.views.light_images import ErrorView, IrradianceView, TargetView
+from ui.views.light_images import ErrorView, IrradianceView, PinnedView, TargetView
 from ui.views.light_view import LightView
 from ui.views.loss_strip import LossStrip
 from ui.views.photo_view import PhotoView
@@ -35,6 +35,7 @@ class Views(QObject):
         self.derivative, self.loss = DerivativeView(shared), LossStrip(shared)
         self.around: dict[str, View] = {
             "irradiance": IrradianceView(shared),
+            "pinned": PinnedView(shared),
             "target": TargetView(shared),
             "error": ErrorView(shared),
             "derivative": self.derivative,

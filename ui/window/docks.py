@@ -63,7 +63,7 @@ class Panes:
         for corner in (Qt.Corner.TopRightCorner, Qt.Corner.BottomRightCorner):
             window.setCorner(corner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.docks = {
-            name: _Dock(name, tr(pane.title), window)
+            name: Dock(name, tr(pane.title), window)
             for name, pane in PANES.items()
             if not (pane.image or pane.strip)
         }
@@ -144,7 +144,7 @@ class _Strip(QToolBar):
         self.addWidget(view)
 
 
-class _Dock(QDockWidget):
+class Dock(QDockWidget):
     """A dock that its menu entry raises above other tabs."""
 
     def __init__(self, name: str, title: str, window: QMainWindow) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeyEvent, QMouseEvent, QRegion
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
+    QHBoxLayout,
     QLabel,
     QMenu,
     QToolBar,
@@ -21,6 +22,7 @@ from ui.widgets.controls import filled
 from ui.words import tr
 
 _HANDLE = 7  # pixels, of the handle between two views
+_PINNED = "pinned"
 _STEP = 0.05  # of the width, for an arrow key
 _OVER = 8, 8, 8, 40  # pixels around what lies over the views: their controls are free
 _FRAME = 2  # pixels around the panel, highlighted when it has the keyboard
@@ -48,6 +50,7 @@ class ImagePanel(QFrame):
             tr("Show a second image; drag the handle between them, or press arrows on it")
         )
         self._compare.setCheckable(True)
+        self._compare.setAutoRaise(True)
         self._compare.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         menu, one_of = QMenu(self), QActionGroup(self)
         self._seconds = {
@@ -59,15 +62,14 @@ class ImagePanel(QFrame):
             one_of.addAction(action)
         self._compare.setMenu(menu)
         self._compare.toggled.connect(self._show)
-        self._bar.addSeparator()
-        self._bar.addWidget(self._compare)
         for more in self._bar.findChildren(QToolButton, "qt_toolbar_ext_button"):
             more.setAccessibleName(tr("More images"))  # where space is short
         self._views = _Swipe()
         self._name, self._second = "irradiance", "target"
+        self._offer_pinned(False)
         box = QVBoxLayout()
         box.setSpacing(0)
-        box.addWidget(self._bar)
+        box.addLayout(filled(QHBoxLayout(), (self._bar, 1), self._compare, margins=0, spacing=0))
         box.addWidget(self._views, 1)
         # One over the other: a message that comes or goes leaves the picture as it is.
         layout = QGridLayout(self)
@@ -112,6 +114,23 @@ class ImagePanel(QFrame):
         self._second = name
         self._compare.setChecked(True)
         self._show()
+
+    def follow_pin(self, pinned: bool) -> None:
+        """Compare with the image that is pinned; show none that is no longer pinned."""
+        self._offer_pinned(pinned)
+        if pinned:
+            self.compare_with(_PINNED)
+            return
+        if self.compared == _PINNED:
+            self._compare.setChecked(False)
+        if self._second == _PINNED:
+            self._second = "target"
+        if self._name == _PINNED:
+            self.choose("irradiance")
+
+    def _offer_pinned(self, offered: bool) -> None:
+        for actions in (self._modes, self._seconds):
+            actions[_PINNED].setVisible(offered)
 
     def rename(self, name: str, title: str) -> None:
         """Give the buttons of a view another title."""

@@ -73,6 +73,7 @@ class LoadedParts(QObject):
         for name in panes.keys() & views.computing.keys():
             there.docks[name].visibilityChanged.connect(views.computing[name].uncover)
         views.shared.drawn.connect(lambda _: there.show("section"))
+        views.shared.image_pinned.connect(there.images.follow_pin)
         views.shared.regions_drawn.connect(self._edit_regions)
         views.shared.changed.connect(self._follow_marking)
         views.follow(document, shown, self.control.history)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QMainWindow
 from ui.commands.actions import LOOK, Commands
 from ui.commands.panes import WORKSPACES, Tabs, Workspace
 from ui.widgets.native import available_size
-from ui.window.docks import Panes
+from ui.window.docks import Dock, Panes
 from ui.words import tr
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ _RIGHT, _RIGHT_SHARE = 380, 0.35
 _BESIDE_IMAGE = 76  # buttons above the image and figures below it
 _SCENE_ABOVE, _SCENE_BELOW = 0.42, 0.36  # of the height
 _SCENE = ("scene",)
+_IMAGE_SHARE = 0.34  # of the width, at least, whatever the docks would like
 # The 3D scene stands beside images that are narrower than this, in widths for each height; below
 # wider ones.
 _WIDE = 1.4
@@ -87,11 +88,13 @@ class Workspaces(QObject):
         self._arrange()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Share the space of a desk that was hidden when its panes were arranged."""
+        """Share the space of a desk that has another size, or was hidden until now."""
         if event.type() == QEvent.Type.Show and self._unseen:
             self._unseen = False
             if self._settings.value(self._key) is None:
                 QTimer.singleShot(0, self, self._share)
+        if event.type() == QEvent.Type.Resize:
+            QTimer.singleShot(0, self, self._give_way)
         return False
 
     def follow(self, session: "Session") -> None:
@@ -148,6 +151,7 @@ class Workspaces(QObject):
         kept = self._settings.value(self._key)
         if not (isinstance(kept, QByteArray) and self._desk.restoreState(kept, _VERSION)):
             self._arrange()
+        QTimer.singleShot(0, self, self._give_way)
 
     def _arrange(self) -> None:
         window, docks = self._desk, self._panes.docks
@@ -186,6 +190,23 @@ class Workspaces(QObject):
         below = tuple(group for group in shown.right if group == _SCENE)
         right = tuple(group for group in shown.right if group != _SCENE)
         return {_LEFT_AREA: shown.left, _RIGHT_AREA: right, _BOTTOM_AREA: below}
+
+    def _give_way(self) -> None:
+        """Narrow the docks beside an image that has less than its part of the window."""
+        lacking = round(_IMAGE_SHARE * self._desk.width()) - self._panes.images.width()
+        docks = [dock for dock in self._panes.docks.values() if self._beside_image(dock)]
+        spare: dict[int, int] = {}  # by the left edges of columns
+        for dock in docks:
+            more = dock.width() - dock.minimumSizeHint().width()
+            spare[dock.x()] = min(more, spare.get(dock.x(), more))
+        if lacking > 0 and any(spare.values()):
+            part = min(lacking / sum(spare.values()), 1.0)
+            widths = [dock.width() - round(part * spare[dock.x()]) for dock in docks]
+            self._desk.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
+
+    def _beside_image(self, dock: Dock) -> bool:
+        area = self._desk.dockWidgetArea(dock)
+        return dock.seen and not dock.isFloating() and area != _BOTTOM_AREA
 
     def _share(self) -> None:
         """Give the image of light as much as it can use."""

@@ -12,7 +12,7 @@ from shiboken6 import isValid
 
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
-from ui.views.light_images import ErrorView, IrradianceView, TargetView
+from ui.views.light_images import ErrorView, IrradianceView, PinnedView, TargetView
 from ui.views.photo_view import PhotoView
 from ui.views.section_view import SectionView
 from ui.views.shared_view import SharedView
@@ -33,7 +33,7 @@ def views(frame, show, qtbot):
     for view in views:
         row.addWidget(view)
         view.show_frame(frame)
-    show(window, 1200, 380)
+    show(window, 1320, 380)
     qtbot.waitUntil(lambda: all(view._values is not None for view in views))
     yield views
 
@@ -226,3 +226,42 @@ def test_a_file_shows_and_lists_what_is_seen(views, qtbot):
     assert (x.min(), x.max()) == (0.03125, 0.46875)
     assert y.max() > top and y.min() < bottom  # there is space for more
     assert values.size == np.unique(x).size * np.unique(y).size
+
+
+@pytest.fixture
+def pinned(views, session, show):
+    """The view of the pinned image, with a frame of the design in it."""
+    pinned = PinnedView(views[0]._shared)
+    pinned.show_design(session)
+    pinned.show_frame(views[0]._frame)
+    return show(pinned, 400, 380)
+
+
+def test_the_pinned_image_stays_while_others_come_and_is_removed(views, pinned, frames, qtbot):
+    light = views[0]
+    qtbot.waitUntil(lambda: pinned._hint.text().startswith("Nothing is pinned"))
+    before = light._values
+    light._pin.click()
+    qtbot.waitUntil(lambda: pinned._values is not None)
+    np.testing.assert_array_equal(pinned._values, before)
+    other = frames(2, irradiance=np.ones((32, 32)))
+    for view in (light, pinned):
+        view.show_frame(other)
+        view.show_outdated(True)
+    qtbot.waitUntil(lambda: light._values.max() == 1)
+    qtbot.wait(100)
+    np.testing.assert_array_equal(pinned._values, before)
+    assert light.outdated and not pinned.outdated
+    assert light._pin.isChecked() and pinned._pin.isChecked()
+    assert pinned._readout.text().startswith("Pinned after 1 iterations, error ")
+    pinned._pin.click()
+    qtbot.waitUntil(lambda: pinned.empty)
+    qtbot.waitUntil(lambda: not light._pin.isChecked())
+
+
+def test_the_pinned_image_is_drawn_on_its_own_receiver(views, pinned, frames, make_session, qtbot):
+    session = make_session({"screen.half_width": [2.0, 3.0]})
+    views[0]._shared.pin_image(frames(1, session))
+    qtbot.waitUntil(lambda: pinned._shown is not None and not pinned.empty)
+    assert pinned._whole() == (-2.0, 2.0, -3.0, 3.0)
+    assert views[0]._whole() == (-1.0, 1.0, -1.0, 1.0)

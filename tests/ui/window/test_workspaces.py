@@ -155,6 +155,27 @@ def test_a_small_window_can_be_used(sized, display, qtbot):
         assert image.width() >= 300 and image.height() >= 300
 
 
+@pytest.mark.parametrize("name", [*WORKSPACES, "custom"])
+def test_docks_give_way_to_the_image_when_the_window_shrinks(sized, display, qtbot, name):
+    window = sized(1440, 900)
+    choose(window, name)
+    qtbot.wait(50)
+    window.resize(QSize(960, 640))
+    qtbot.waitUntil(lambda: window.panes.images.width() >= 960 / 3)
+    assert window.size() == QSize(960, 640)
+
+
+def test_docks_keep_a_width_that_leaves_the_image_its_third(sized, qtbot):
+    window = sized(1440, 900)
+    choose(window, "design")
+    qtbot.wait(50)
+    before = {name: dock.width() for name, dock in window.panes.docks.items() if dock.seen}
+    window.resize(QSize(1300, 900))
+    qtbot.waitUntil(lambda: window.pages.desk.width() == 1300)
+    qtbot.wait(50)
+    assert before == {n: dock.width() for n, dock in window.panes.docks.items() if dock.seen}
+
+
 @pytest.fixture
 def panel(qtbot):
     """A panel whose views are labels."""
@@ -211,6 +232,22 @@ def test_views_that_are_compared_are_two(panel):
     assert panel.name != panel.compared == "target"
     panel.choose("photo")
     assert (panel.name, panel.compared) == ("photo", "target")
+
+
+def test_a_pinned_image_is_offered_and_compared_with_until_it_is_removed(panel):
+    buttons = panel._modes["pinned"], panel._seconds["pinned"]
+    assert not any(button.isVisible() for button in buttons)
+    panel.follow_pin(True)
+    assert all(button.isVisible() for button in buttons)
+    assert (panel.name, panel.compared) == ("irradiance", "pinned")
+    panel.choose("error")
+    assert (panel.name, panel.compared) == ("error", "pinned")
+    panel.follow_pin(False)
+    assert (panel.name, panel.compared) == ("error", "")
+    panel.compare_with("photo")
+    panel.choose("pinned")
+    panel.follow_pin(False)
+    assert (panel.name, panel.compared) == ("irradiance", "photo")
 
 
 def test_a_layout_of_an_earlier_program_is_left_out(open_window):
