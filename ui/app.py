@@ -42,18 +42,17 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from ui.background import GarbageCollector
-    from ui.commands.actions import LANGUAGE, THEME
+    from ui.background import GarbageCollector, leave_cores
+    from ui.dialogs.preferences import CORES, START, apply_look
+    from ui.files.actions import RecentFiles
     from ui.unexpected_errors import UnexpectedErrors
-    from ui.widgets import theme
     from ui.windows import Windows
-    from ui.words import set_language
 
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
     settings = QSettings()
-    theme.choose(application, THEME.kept(settings))
-    set_language(application, LANGUAGE.kept(settings))
+    leave_cores(int(CORES.kept(settings)))
+    apply_look(settings)
     garbage = GarbageCollector(application)
     windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     # Else each full search goes through 300,000 objects of the slow libraries: 0.2 s.
@@ -61,6 +60,8 @@ def main(arguments: list[str] | None = None) -> int:
     unexpected.happened.connect(windows.show_unexpected_error)
     unexpected.qt_warned.connect(windows.log)
     unexpected.logged.connect(windows.log_details)
+    if options.file is None and not options.start and START.kept(settings) == "last":
+        options.file = next(filter(Path.exists, RecentFiles(settings).paths()), None)
     signals = _leave_on_signals(windows, application)
     window = windows.open(at_start=options.file is None and not options.start)
     _begin_when_painted(window, lambda: _begin(windows, window, options))
@@ -83,10 +84,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _prepare_environment() -> None:
-    from ui.background import leave_core_for_window
-
     calm_library_threads()
-    leave_core_for_window()
     keep_shaders_in_memory()
     # Torch's CUDA builds would load it for `paper`. It brings an LLVM of its own, which crashes
     # where that of Mesa draws already; nothing here uses it.

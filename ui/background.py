@@ -20,17 +20,13 @@ from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 from ui.words import error_text, tr
 from workbench.defects import details, unexpected
 from workbench.errors import Refused, RunFailed
+from workbench.process import cores
 from workbench.progress import Interrupted, given_up_when
 
 
-def leave_core_for_window() -> None:
-    """Let torch and kernels use all cores but one: drawing slows down synchronised threads."""
-    os.environ.setdefault("OMP_NUM_THREADS", str(other_cores()))
-
-
-def other_cores() -> int:
-    """Cores beside that of the window; at least 1."""
-    return max(1, QThread.idealThreadCount() - 1)
+def leave_cores(count: int = 1) -> None:
+    """Let torch and kernels use all cores but these: drawing slows down synchronised threads."""
+    os.environ.setdefault("OMP_NUM_THREADS", str(max(1, cores() - count)))
 
 
 LOG = logging.getLogger("freeform-workbench")

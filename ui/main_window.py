@@ -17,10 +17,10 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMainWindow
 
 from resources import Example
-from ui.commands.actions import LANGUAGE, THEME, choose_theme, note_language
 from ui.commands.panes import PaneFocus
 from ui.commands.table import WORKSPACE_CHOICES
 from ui.dialogs.help import TITLE, Help
+from ui.dialogs.preferences import PreferencesDialog
 from ui.dialogs.start_page import StartPage
 from ui.document.document import Document
 from ui.files.actions import Answer, FileActions, RecentFiles
@@ -30,6 +30,7 @@ from ui.manufacture.cutter import AskCutting
 from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
+from ui.window.layouts import Layouts
 from ui.window.pages import Pages
 from ui.window.window_state import WindowState
 from ui.window.workspaces import ViewState, Workspaces
@@ -92,6 +93,7 @@ class MainWindow(QMainWindow):
         self.help = Help(self, self.commands, self._focus)
         self.workspaces = Workspaces(pages.desk, self.panes, settings)
         pages.put(self.start_page, self.workspaces, self.commands)
+        self._layouts = Layouts(settings, self.commands, self.workspaces, self)
         self._view_state = ViewState(self.commands, self.workspaces, self.log.add)
         self.loaded: LoadedParts | None = None
         self._leaving = False  # whatever would be lost
@@ -180,10 +182,9 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange:
             self._show_recent()
-            LANGUAGE.show(self._settings, self.commands)
+            self._layouts.show()
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
-            THEME.show(self._settings, self.commands)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Revert refused entries, or cancel a check, by Escape."""
@@ -279,18 +280,17 @@ class MainWindow(QMainWindow):
                 "picture_aspect": self.forms.adopt_aspect,
                 **self._chosen.slots(),
                 "revert": self.files.revert,
+                "preferences": lambda: PreferencesDialog(self._settings, self).open(),
                 "reset_layout": self.workspaces.reset,
                 **{
                     command: partial(self.pages.show_desk, name)
                     for command, name in WORKSPACE_CHOICES.items()
                 },
+                **self._layouts.slots(),
                 **self._focus.slots(),
                 **self.help.slots(),
             }
         )
-        THEME.offer(self._settings, self.commands, choose_theme)
-        note_later = partial(note_language, self.messages.note)
-        LANGUAGE.offer(self._settings, self.commands, note_later)
         scene = self.panes.docks["scene"]
         scene.toggleViewAction().toggled.connect(self.commands["scene_view"].setChecked)
         self.commands.connect_toggles({"scene_view": scene.setVisible})

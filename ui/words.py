@@ -72,11 +72,6 @@ def capitalised(text: str) -> str:
     return text[0].upper() + text[1:]
 
 
-def current_language() -> str:
-    """Current language, one of `LANGUAGES`."""
-    return _language
-
-
 def system_language() -> str:
     """First of the system's languages among `LANGUAGES`; English by default."""
     wanted = (name.partition("-")[0] for name in QLocale.system().uiLanguages())

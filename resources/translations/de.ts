@@ -55,16 +55,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>Th&amp;eme</source>
-            <translation>E&amp;rscheinungsbild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>La&amp;nguage</source>
-            <translation>&amp;Sprache</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Workspace</source>
             <translation>Arbeitsu&amp;mgebung</translation>
         </message>
@@ -72,6 +62,11 @@
             <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>&amp;Gehe zu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Lay&amp;outs</source>
+            <translation>Ano&amp;rdnungen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -267,6 +262,16 @@
             <location filename="../../ui/commands/table.py" />
             <source>Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)</source>
             <translation>Zuletzt angeklicktes Diagramm speichern, als Bild (PNG, SVG) oder Zahlen (CSV)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Pre&amp;ferences…</source>
+            <translation>E&amp;instellungen…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Theme, text size, language, start, checks and cores</source>
+            <translation>Farbschema, Schriftgröße, Sprache, Start, Prüfungen und Kerne</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -557,46 +562,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cividis</source>
             <translation>Cividis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>As the &amp;system</source>
-            <translation>Wie das &amp;System</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light, dark or the system's theme for all windows</source>
-            <translation>Helles, dunkles oder das Thema des Systems für alle Fenster</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;Light</source>
-            <translation>&amp;Hell</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;Dark</source>
-            <translation>&amp;Dunkel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Language of the window; the command line is in English</source>
-            <translation>Sprache des Fensters; die Kommandozeile ist englisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>English</source>
-            <translation>English</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Deutsch</source>
-            <translation>Deutsch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Français</source>
-            <translation>Français</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -965,6 +930,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>&amp;Save layout…</source>
+            <translation>Anordnung &amp;speichern…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the arrangement of the docks under a name</source>
+            <translation>Anordnung der Docks unter einem Namen speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Delete layout…</source>
+            <translation>Anordnung &amp;löschen…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Delete a saved arrangement of the docks</source>
+            <translation>Eine gespeicherte Anordnung der Docks löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>R&amp;eset layout</source>
             <translation>Anord&amp;nung zurücksetzen</translation>
         </message>
@@ -1152,11 +1137,6 @@
             <location filename="../../ui/commands/actions.py" />
             <source>More commands</source>
             <translation>Weitere Befehle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>The language changes at the next start.</source>
-            <translation>Die Sprache ändert sich beim nächsten Start.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/command_search.py" />
@@ -1369,6 +1349,106 @@
             <translation>Lichtdatei</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>As the system</source>
+            <translation>Wie das System</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Theme</source>
+            <translation>Farbschema</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Colours of all windows</source>
+            <translation>Farben aller Fenster</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Dark</source>
+            <translation>Dunkel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Text size</source>
+            <translation>Schriftgröße</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Size of the text in all windows</source>
+            <translation>Größe der Schrift in allen Fenstern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Language</source>
+            <translation>Sprache</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Language of the window; the command line is in English</source>
+            <translation>Sprache des Fensters; die Kommandozeile ist englisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>At the start</source>
+            <translation>Beim Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>What the window shows when the program starts without a file</source>
+            <translation>Was das Fenster zeigt, wenn das Programm ohne Datei startet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Last design</source>
+            <translation>Letzter Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>After a run</source>
+            <translation>Nach einem Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Whether an independent ray trace checks the result of a run</source>
+            <translation>Ob eine unabhängige Strahlverfolgung das Ergebnis eines Laufs prüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Check the result</source>
+            <translation>Ergebnis prüfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>No check</source>
+            <translation>Keine Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Free cores</source>
+            <translation>Freie Kerne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Cores that runs leave to the window and to other programs</source>
+            <translation>Kerne, die Läufe dem Fenster und anderen Programmen lassen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Preferences</source>
+            <translation>Einstellungen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Text size, language and cores change at the next start.</source>
+            <translation>Schriftgröße, Sprache und Kerne ändern sich beim nächsten Start.</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/start_page.py" />
             <source>Jobs</source>
             <translation>Aufgaben</translation>
@@ -1422,11 +1502,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error</source>
             <translation>Geprüfter Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
-            <source>Light</source>
-            <translation>Licht</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -4050,8 +4125,8 @@
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
-            <source>Pinned after {count} iterations, error {error}</source>
-            <translation type="unfinished" />
+            <source>Pinned at iteration {count}, error {error}</source>
+            <translation>Angeheftet bei Iteration {count}, Fehler {error}</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
@@ -4488,6 +4563,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/image_panel.py" />
             <source>Handle between two images</source>
             <translation>Griff zwischen zwei Bildern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Save layout</source>
+            <translation>Anordnung speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Name; an existing one is replaced</source>
+            <translation>Name; ein vorhandener wird ersetzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Delete layout</source>
+            <translation>Anordnung löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Layout</source>
+            <translation>Anordnung</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />

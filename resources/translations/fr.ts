@@ -55,16 +55,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>Th&amp;eme</source>
-            <translation>&amp;Thème</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>La&amp;nguage</source>
-            <translation>Lan&amp;gue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Workspace</source>
             <translation>E&amp;space de travail</translation>
         </message>
@@ -72,6 +62,11 @@
             <location filename="../../ui/commands/actions.py" />
             <source>&amp;Go to</source>
             <translation>Aller &amp;à</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Lay&amp;outs</source>
+            <translation>D&amp;ispositions</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -267,6 +262,16 @@
             <location filename="../../ui/commands/table.py" />
             <source>Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)</source>
             <translation>Enregistrer le dernier graphique cliqué, en image (PNG, SVG) ou en nombres (CSV)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Pre&amp;ferences…</source>
+            <translation>Pré&amp;férences…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Theme, text size, language, start, checks and cores</source>
+            <translation>Thème, taille du texte, langue, démarrage, vérifications et cœurs</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -557,46 +562,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Cividis</source>
             <translation>Cividis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>As the &amp;system</source>
-            <translation>Comme le &amp;système</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Light, dark or the system's theme for all windows</source>
-            <translation>Thème clair, sombre ou celui du système pour toutes les fenêtres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;Light</source>
-            <translation>&amp;Clair</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;Dark</source>
-            <translation>S&amp;ombre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Language of the window; the command line is in English</source>
-            <translation>Langue de la fenêtre ; la ligne de commande est en anglais</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>English</source>
-            <translation>English</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Deutsch</source>
-            <translation>Deutsch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Français</source>
-            <translation>Français</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -965,6 +930,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>&amp;Save layout…</source>
+            <translation>&amp;Enregistrer la disposition…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the arrangement of the docks under a name</source>
+            <translation>Enregistrer la disposition des volets sous un nom</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Delete layout…</source>
+            <translation>&amp;Supprimer une disposition…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Delete a saved arrangement of the docks</source>
+            <translation>Supprimer une disposition enregistrée des volets</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>R&amp;eset layout</source>
             <translation>Réi&amp;nitialiser la disposition</translation>
         </message>
@@ -1152,11 +1137,6 @@
             <location filename="../../ui/commands/actions.py" />
             <source>More commands</source>
             <translation>Autres commandes</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
-            <source>The language changes at the next start.</source>
-            <translation>La langue change au prochain démarrage.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/command_search.py" />
@@ -1369,6 +1349,106 @@
             <translation>Fichier de lumière</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>As the system</source>
+            <translation>Comme le système</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Theme</source>
+            <translation>Thème</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Colours of all windows</source>
+            <translation>Couleurs de toutes les fenêtres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Light</source>
+            <translation>Lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Dark</source>
+            <translation>Sombre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Text size</source>
+            <translation>Taille du texte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Size of the text in all windows</source>
+            <translation>Taille du texte dans toutes les fenêtres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Language</source>
+            <translation>Langue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Language of the window; the command line is in English</source>
+            <translation>Langue de la fenêtre ; la ligne de commande est en anglais</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>At the start</source>
+            <translation>Au démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>What the window shows when the program starts without a file</source>
+            <translation>Ce que montre la fenêtre quand le programme démarre sans fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Last design</source>
+            <translation>Dernier projet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>After a run</source>
+            <translation>Après une exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Whether an independent ray trace checks the result of a run</source>
+            <translation>Si un tracé de rayons indépendant vérifie le résultat d'une exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Check the result</source>
+            <translation>Vérifier le résultat</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>No check</source>
+            <translation>Aucune vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Free cores</source>
+            <translation>Cœurs libres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Cores that runs leave to the window and to other programs</source>
+            <translation>Cœurs que les exécutions laissent à la fenêtre et aux autres programmes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Preferences</source>
+            <translation>Préférences</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/preferences.py" />
+            <source>Text size, language and cores change at the next start.</source>
+            <translation>La taille du texte, la langue et les cœurs changent au prochain démarrage.</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/start_page.py" />
             <source>Jobs</source>
             <translation>Tâches</translation>
@@ -1422,11 +1502,6 @@
             <location filename="../../ui/dialogs/sweep.py" />
             <source>Verified error</source>
             <translation>Erreur vérifiée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/sweep.py" />
-            <source>Light</source>
-            <translation>Lumière</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -4050,8 +4125,8 @@
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
-            <source>Pinned after {count} iterations, error {error}</source>
-            <translation type="unfinished" />
+            <source>Pinned at iteration {count}, error {error}</source>
+            <translation>Épinglée à l'itération {count}, erreur {error}</translation>
         </message>
         <message>
             <location filename="../../ui/views/light_images.py" />
@@ -4488,6 +4563,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/image_panel.py" />
             <source>Handle between two images</source>
             <translation>Poignée entre deux images</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Save layout</source>
+            <translation>Enregistrer la disposition</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Name; an existing one is replaced</source>
+            <translation>Nom ; un nom existant est remplacé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Delete layout</source>
+            <translation>Supprimer une disposition</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/layouts.py" />
+            <source>Layout</source>
+            <translation>Disposition</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />

@@ -1,5 +1,5 @@
 """Programs that use the real window; as in that, its threads leave a core to it."""
 
-from ui.background import leave_core_for_window
+from ui.background import leave_cores
 
-leave_core_for_window()  # before any library is loaded that reads it
+leave_cores()  # before any library is loaded that reads it

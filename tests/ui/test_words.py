@@ -11,7 +11,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
-from ui.commands.actions import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.widgets.figures import translate, translate_axes
 from ui.words import error_text, set_language, system_language, tr
@@ -130,14 +129,6 @@ def test_no_command_and_no_job_stays_english(speaking, open_window):
     titles = [jobs.item(number).text() for number in range(len(JOBS))]
     assert titles[:2] == ["Platte in der Sonne", "Taschenlampe oder Telefon"]
     assert "Mirror" not in titles
-
-
-def test_a_chosen_language_is_kept_and_reported_to_count_from_the_next_start(window, settings):
-    assert LANGUAGE.kept(settings) == "system"
-    window.commands["language_fr"].trigger()
-    assert LANGUAGE.kept(settings) == "fr"
-    assert window.messages.text == "The language changes at the next start."
-    assert window.commands["language_fr"].isChecked()
 
 
 # What shows a text that it is given first, or by one of these names.

@@ -1,13 +1,11 @@
 """Commands of the table as actions, in menus and toolbar, and choices kept in the settings."""
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import (
-    QApplication,
     QHBoxLayout,
     QMainWindow,
     QMenu,
@@ -23,24 +21,22 @@ from ui.commands.table import (
     COLOURS,
     COMMANDS,
     FACES_BY,
-    LANGUAGE_CHOICES,
     LOCKS,
     PICTURES,
     RAYS,
     RAYS_BY,
-    THEMES,
     TOOLS,
     VIEWS,
     WORKSPACE_CHOICES,
     Command,
 )
 from ui.widgets import theme
-from ui.words import current_language, system_language, tr
+from ui.words import tr
 
 _RUN = ["start", "continue", "pause", "stop"]
 
-# Menus by name; None is a separator, a tuple a menu within. Open recent and the docks are added
-# by the window, because they come and go.
+# Menus by name; None is a separator, a tuple a menu within. The window adds recent files, saved
+# layouts and docks.
 MENUS: dict[str, list[Any]] = {
     "&File": [
         "new",
@@ -61,7 +57,17 @@ MENUS: dict[str, list[Any]] = {
         "close",
         "quit",
     ],
-    "&Edit": ["undo", "redo", None, "paste_picture", None, "copy_plot", "save_plot"],
+    "&Edit": [
+        "undo",
+        "redo",
+        None,
+        "paste_picture",
+        None,
+        "copy_plot",
+        "save_plot",
+        None,
+        "preferences",
+    ],
     "&Design": [
         *TOOLS,
         None,
@@ -90,11 +96,10 @@ MENUS: dict[str, list[Any]] = {
         ("Save pict&ure of 3D", list(PICTURES)),
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
-        ("Th&eme", list(THEMES)),
-        ("La&nguage", list(LANGUAGE_CHOICES)),
         None,
         ("&Workspace", ["workspace_start", *WORKSPACE_CHOICES]),
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
+        ("Lay&outs", ["save_layout", "delete_layout", None]),
         "reset_layout",
         None,
         "scene_view",
@@ -136,8 +141,6 @@ CHOICES = [
     list(RAYS_BY),
     list(FACES_BY),
     list(COLOURS),
-    list(THEMES),
-    list(LANGUAGE_CHOICES),
     list(TOOLS),
     ["workspace_start", *WORKSPACE_CHOICES],
 ]
@@ -300,59 +303,6 @@ def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:
     if isinstance(menu, QMenu):
         return [e for each in menu.actions() for e in _entries(each, name + SEPARATOR)]
     return [] if action.isSeparator() else [(name, action)]
-
-
-SYSTEM = "system"
-"""A choice: as the system has it."""
-
-
-class KeptChoice:
-    """A choice among commands, stored in the settings; `usual` where nothing was chosen."""
-
-    def __init__(self, key: str, choices: Mapping[str, str], usual: str) -> None:
-        self._key, self._choices, self._usual = key, choices, usual
-
-    def kept(self, settings: QSettings) -> str:
-        """The stored choice."""
-        kept = str(settings.value(self._key))
-        return kept if kept in self._choices.values() else self._usual
-
-    def offer(
-        self, settings: QSettings, commands: Commands, follow: Callable[[str], object]
-    ) -> None:
-        """Connect the commands to the choice; ``follow`` is called with each new choice."""
-        choose = partial(self._choose, settings, follow)
-        commands.connect({name: partial(choose, value) for name, value in self._choices.items()})
-        self.show(settings, commands)
-
-    def show(self, settings: QSettings, commands: Commands) -> None:
-        """Check the command of the stored choice, which may come from another window."""
-        kept = self.kept(settings)
-        chosen = next(name for name, value in self._choices.items() if value == kept)
-        commands[chosen].setChecked(True)
-
-    def _choose(self, settings: QSettings, follow: Callable[[str], object], value: str) -> None:
-        settings.setValue(self._key, value)
-        follow(value)
-
-
-LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES, SYSTEM)
-
-
-def note_language(note: Callable[[str], object], code: str) -> None:
-    """Report that a new language is used after a restart."""
-    if (system_language() if code == SYSTEM else code) != current_language():
-        note(tr("The language changes at the next start."))
-
-
-THEME = KeptChoice("window/theme", THEMES, "dark")
-
-
-def choose_theme(name: str) -> None:
-    """Apply a theme to all windows."""
-    application = QApplication.instance()
-    if isinstance(application, QApplication):
-        theme.choose(application, name)
 
 
 _COLOURS_KEY = "view/colours"

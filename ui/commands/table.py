@@ -6,7 +6,7 @@ from typing import Literal
 from PySide6.QtGui import QKeySequence
 
 from ui.commands.panes import PANES, WORKSPACES
-from ui.words import LANGUAGES, tr
+from ui.words import tr
 
 
 @dataclass(frozen=True)
@@ -46,12 +46,6 @@ _COLOURS = {
 }
 COLOURS = {command: name for command, (_, name) in _COLOURS.items()}
 """Commands for the colours in which light is shown; see `workbench.pictures.axes.UNSIGNED`."""
-
-THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
-"""Commands for how the windows look; see `ui.widgets.theme.choose`."""
-
-LANGUAGE_CHOICES = {f"language_{code}": code for code in ("system", *LANGUAGES)}
-"""Commands for the language of the window; see `ui.commands.actions`."""
 
 WORKSPACE_CHOICES = {f"workspace_{name}": name for name in (*WORKSPACES, "custom")}
 """Commands for what the window shows; see `ui.window.workspaces`."""
@@ -111,6 +105,9 @@ COMMANDS = {
         "Save p&lot…",
         "Save the plot that was clicked last, as picture (PNG, SVG) or numbers (CSV)",
         "Ctrl+Shift+E",
+    ),
+    "preferences": Command(
+        "Pre&ferences…", "Theme, text size, language, start, checks and cores", "Ctrl+,"
     ),
     "start": Command(
         "&Start", "Design from scratch. Replaces this {optic}; Undo restores it.", "F5", "start"
@@ -172,22 +169,6 @@ COMMANDS = {
             checked=not name,
         )
         for command, (title, name) in _COLOURS.items()
-    },
-    **{
-        command: Command(
-            "As the &system" if name == "system" else f"&{name.capitalize()}",
-            "Light, dark or the system's theme for all windows",
-            checked=name == "dark",
-        )
-        for command, name in THEMES.items()
-    },
-    **{
-        command: Command(
-            LANGUAGES.get(code, "As the &system"),
-            "Language of the window; the command line is in English",
-            checked=code == "system",
-        )
-        for command, code in LANGUAGE_CHOICES.items()
     },
     "rays_by_outcome": Command(
         "Colour by &outcome", "Rays that miss the screen are red", checked=True
@@ -295,6 +276,8 @@ COMMANDS = {
     "workspace_custom": Command(
         "Custom", "Arrange docks by hand: drag their title bars", "Ctrl+5", checked=False
     ),
+    "save_layout": Command("&Save layout…", "Save the arrangement of the docks under a name"),
+    "delete_layout": Command("&Delete layout…", "Delete a saved arrangement of the docks"),
     "reset_layout": Command("R&eset layout", "Arrange this workspace as it was at first"),
     "next_pane": Command("&Next pane", "Move the keyboard focus to the next pane", "Ctrl+F6"),
     "previous_pane": Command(

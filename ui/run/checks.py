@@ -1,11 +1,12 @@
 """Checks of the shown lens and of a run's lenses, and the lower bound of a task."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QThread, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.background import Background, Task
 from ui.document.document import Document
@@ -16,6 +17,7 @@ from workbench.arrays import Array
 from workbench.design.session import verified_error as verified_error
 from workbench.pictures.loss import Verified
 from workbench.powers import written
+from workbench.process import cores
 
 if TYPE_CHECKING:
     from ui.document.frame import Frame
@@ -195,6 +197,7 @@ class RunCheck(QObject):
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._control = document, control
+        self.wanted: Callable[[], bool] = lambda: True
         self._last: Frame | None = None
         self._began = self._rested_at = 0.0
         self._cost = _GUESS
@@ -222,7 +225,7 @@ class RunCheck(QObject):
         if last is None:  # what came before was no run yet
             self._rested_at = monotonic()
             return
-        if self.background.busy or QThread.idealThreadCount() < 2:
+        if self.background.busy or cores() < 2 or not self.wanted():
             return
         if last.snapshot.stage != frame.snapshot.stage:
             self._check(last)
@@ -237,7 +240,7 @@ class RunCheck(QObject):
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
         self._last, self._result = None, result
-        if result is not None and frame is not None:
+        if result is not None and frame is not None and self.wanted():
             session = self._document.session
             self._end = CheckedLens.of(session, result.state, result.iterations)
             work = partial(check, self._end, RAYS, None, ACCURACY)

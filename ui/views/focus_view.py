@@ -12,7 +12,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QSlider
 
-from ui.background import Background, Task, other_cores
+from ui.background import Background, Task
 from ui.document.frame import same_task
 from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
@@ -26,6 +26,7 @@ from workbench.design.session import verified_error
 from workbench.errors import RunFailed
 from workbench.pictures.error_curves import FocusCurve
 from workbench.powers import written
+from workbench.process import usable_threads
 
 if TYPE_CHECKING:
     from ui.document.frame import Frame
@@ -58,7 +59,7 @@ def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> "Valida
 
     session = request.session.of_image(0)  # about whose screen the light is followed
     steps = validating(
-        session.scene, session.target, request.heights, rays, screen_z=z, threads=other_cores()
+        session.scene, session.target, request.heights, rays, screen_z=z, threads=usable_threads()
     )
     try:
         return task.follow(steps)

@@ -266,7 +266,7 @@ class PinnedView(IrradianceView):
         if pinned is None:
             return ("",)
         error = percent(relative_error(pinned.state, pinned.session.target))
-        text = tr("Pinned after {count} iterations, error {error}")
+        text = tr("Pinned at iteration {count}, error {error}")
         return text.format(count=pinned.result.iterations, error=error), ""
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QSlider
 
-from ui.background import Background, Task, other_cores
+from ui.background import Background, Task
 from ui.document.frame import same_light
 from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
@@ -19,6 +19,7 @@ from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import PhotoImage
+from workbench.process import usable_threads
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -57,7 +58,7 @@ def predict_photo(request: PhotoRequest, task: Task) -> "Photo | None":
         session.target,
         request.frame.state.heights,
         LIGHTS.get(request.light),
-        threads=other_cores(),
+        threads=usable_threads(),
     )
     return task.follow(steps, task.report)
 

@@ -44,6 +44,7 @@ _SCHEMES = {
 _GROUNDS = {"light": ("#f2f3f5", "#ffffff", "#16181b"), "dark": ("#23262b", "#181a1e", "#e9eaec")}
 _HIGHLIGHT = "#2b78b8"
 _FONT, _POINTS = "Inter", 9.75  # 13 pixels of 1/96 inch
+_TITLE = 1.3  # of the size of other text
 
 
 def apply(application: QApplication) -> None:
@@ -56,6 +57,13 @@ def apply(application: QApplication) -> None:
     application.styleHints().colorSchemeChanged.connect(
         lambda _: QTimer.singleShot(0, application, lambda: _colour(application))
     )
+
+
+def set_text_size(application: QApplication, part: float) -> None:
+    """Set the size of text, as a part of the usual one."""
+    font = application.font()
+    font.setPointSizeF(_POINTS * part)
+    application.setFont(font)
 
 
 def _typeface() -> QFont:
@@ -148,6 +156,7 @@ def _drawn(drawing: str, colour: QColor, size: int) -> QPixmap:
 def _colour(application: QApplication) -> None:
     # Fusion's buttons of docks vanish in the dark; these are of a grey between both grounds.
     scheme = "dark" if is_dark(application.palette()) else "light"
+    title = _TITLE * application.font().pointSizeF()
     sheet = f"""
         QLabel[marked="true"] {{ background: {_HIGHLIGHT}; color: white; border-radius: 2px; }}
         QLabel#refusal {{ color: {_REFUSED[scheme]}; }}
@@ -159,7 +168,9 @@ def _colour(application: QApplication) -> None:
             background: none;
         }}
         QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
-        QLabel#title {{ font-size: 17px; font-weight: 600; padding: 4px 0; qproperty-indent: 0; }}
+        QLabel#title {{
+            font-size: {title}pt; font-weight: 600; padding: 4px 0; qproperty-indent: 0;
+        }}
         QLabel#muted {{ color: {_MUTED[scheme]}; }}
         QFrame#well {{
             background: palette(base); border: 2px dashed {_DASHES[scheme]}; border-radius: 8px;

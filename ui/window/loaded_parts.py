@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QPoint, QSettings, QTimer, Signal
 from PySide6.QtGui import QAction
 
 from ui.commands.actions import keep_colours
+from ui.dialogs.preferences import CHECK
 from ui.document.shown_lens import ShownLens
 from ui.files.plots import PhotoPicture, Plots, ScenePictures
 from ui.lens.tools import LensTools
@@ -54,6 +55,7 @@ class LoadedParts(QObject):
         self.bound = BoundOfDesign(document, self)
         self.figures = CheckFigures(settings, early.commands["check"])
         self.runs = Runs(document, self.control, self)
+        self.runs.check.wanted = lambda: CHECK.kept(settings) == "check"
         self.follow = Follow(document, self.control, self)
         plots = views.plots | {
             "manufacture": self.manufacture.map,

@@ -120,7 +120,7 @@ class Workspaces(QObject):
         return base64.b64encode(self._desk.saveState(_VERSION).data()).decode("ascii")
 
     def restore(self, name: str, text: str) -> None:
-        """Show the workspace of a file, with its arrangement."""
+        """Show a workspace with an arrangement of `to_text`."""
         try:
             state = base64.b64decode(text, validate=True)
         except binascii.Error as error:

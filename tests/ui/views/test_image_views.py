@@ -253,7 +253,7 @@ def test_the_pinned_image_stays_while_others_come_and_is_removed(views, pinned, 
     np.testing.assert_array_equal(pinned._values, before)
     assert light.outdated and not pinned.outdated
     assert light._pin.isChecked() and pinned._pin.isChecked()
-    assert pinned._readout.text().startswith("Pinned after 1 iterations, error ")
+    assert pinned._readout.text().startswith("Pinned at iteration 1, error ")
     pinned._pin.click()
     qtbot.waitUntil(lambda: pinned.empty)
     qtbot.waitUntil(lambda: not light._pin.isChecked())

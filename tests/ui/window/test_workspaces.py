@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QLabel, QMainWindow
+from PySide6.QtWidgets import QInputDialog, QLabel, QMainWindow
 
 from ui.commands.panes import PANES, WORKSPACES
 from ui.commands.table import WORKSPACE_CHOICES
@@ -174,6 +174,54 @@ def test_docks_keep_a_width_that_leaves_the_image_its_third(sized, qtbot):
     qtbot.waitUntil(lambda: window.pages.desk.width() == 1300)
     qtbot.wait(50)
     assert before == {n: dock.width() for n, dock in window.panes.docks.items() if dock.seen}
+
+
+def entries(menu):
+    return [action.text() for action in menu.actions() if not action.isSeparator()]
+
+
+@pytest.fixture
+def answer(monkeypatch):
+    """Answers the next questions for the name of a layout; None cancels."""
+
+    def answer(name):
+        given = ("", False) if name is None else (name, True)
+        monkeypatch.setattr(QInputDialog, "getItem", lambda *_, **__: given)
+
+    return answer
+
+
+def test_a_layout_is_saved_under_a_name_and_chosen_later(open_window, answer):
+    window = open_window()
+    commands, menu = window.commands, window.commands.menus["Lay&outs"]
+    choose(window, "custom")
+    window.panes.docks["history"].show()
+    arranged = shown(window)
+    answer(" Wide & low ")
+    commands["save_layout"].trigger()
+    for name in ("history", "design"):
+        window.panes.docks[name].hide()
+    window.pages.show_start()
+    other = open_window()
+    assert entries(other.commands.menus["Lay&outs"])[2:] == ["Wide && low"]
+    menu.actions()[-1].trigger()
+    assert not window.pages.at_start and window.workspaces.name == "custom"
+    assert shown(window) == arranged
+
+
+def test_a_layout_is_replaced_or_deleted_by_its_name_and_not_by_cancelling(open_window, answer):
+    window = open_window()
+    commands, menu = window.commands, window.commands.menus["Lay&outs"]
+    assert not commands["delete_layout"].isEnabled()
+    for name in ("Beta", "Alpha", None, "Beta"):
+        answer(name)
+        commands["save_layout"].trigger()
+    assert entries(menu)[2:] == ["Alpha", "Beta"]
+    for name, left in ((None, ["Alpha", "Beta"]), ("Alpha", ["Beta"]), ("Beta", [])):
+        answer(name)
+        commands["delete_layout"].trigger()
+        assert entries(menu)[2:] == left
+    assert not commands["delete_layout"].isEnabled()
 
 
 @pytest.fixture
