@@ -25,7 +25,7 @@ _MESSAGE = (
     "again, and what was changed since can be brought back by Undo."
 )
 _OPEN = ("palette", "shortcuts")  # commands whose dialogs let the window go on
-_HOLD = ("about", "open", "save_as", "export", "report", "save_plot", "save_scene_2")
+_HOLD = ("about", "open", "save_as", "export", "report", "save_plot", "save_scene")
 
 
 def docks(window: MainWindow) -> Iterator[QPixmap]:
@@ -110,17 +110,16 @@ def dialogs(window: MainWindow) -> Iterator[QPixmap]:
 
 
 def tour(window: MainWindow) -> Iterator[QPixmap]:
-    """Each coach mark, and the start page from both its ends."""
+    """Each coach mark, and the start page."""
     window.commands["tour"].trigger()
     (marks,) = window.findChildren(CoachMarks)
     for _ in MARKS:
         settle(_MOMENT)
         yield marks.grab()
         marks.on.click()
-    for command in ("new", "examples"):
-        window.commands[command].trigger()
-        settle(_MOMENT)
-        yield window.grab()
+    window.commands["new"].trigger()
+    settle(_MOMENT)
+    yield window.grab()
     window.commands["workspace_task"].trigger()
 
 

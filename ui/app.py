@@ -19,6 +19,7 @@ from workbench.process import calm_library_threads, restart_in_utf8_mode
 from workbench.system_libraries import keep_shaders_in_memory
 
 if TYPE_CHECKING:
+    from PySide6.QtCore import QSettings
     from PySide6.QtWidgets import QApplication
 
     from ui.main_window import MainWindow
@@ -43,8 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
     from PySide6.QtCore import QSettings, QStandardPaths
 
     from ui.background import GarbageCollector, leave_cores
-    from ui.dialogs.preferences import CORES, START, apply_look
-    from ui.files.actions import RecentFiles
+    from ui.dialogs.preferences import CORES, apply_look
     from ui.unexpected_errors import UnexpectedErrors
     from ui.windows import Windows
 
@@ -60,8 +60,8 @@ def main(arguments: list[str] | None = None) -> int:
     unexpected.happened.connect(windows.show_unexpected_error)
     unexpected.qt_warned.connect(windows.log)
     unexpected.logged.connect(windows.log_details)
-    if options.file is None and not options.start and START.kept(settings) == "last":
-        options.file = next(filter(Path.exists, RecentFiles(settings).paths()), None)
+    if options.file is None and not options.start:
+        options.file = _last_design(settings)
     signals = _leave_on_signals(windows, application)
     window = windows.open(at_start=options.file is None and not options.start)
     _begin_when_painted(window, lambda: _begin(windows, window, options))
@@ -71,6 +71,15 @@ def main(arguments: list[str] | None = None) -> int:
     signals.close()
     garbage.close()
     return status
+
+
+def _last_design(settings: "QSettings") -> Path | None:
+    """The file that was open last, where a person wants to begin with it."""
+    from ui.dialogs.preferences import START
+    from ui.files.actions import RecentFiles
+
+    found = filter(Path.exists, RecentFiles(settings).paths())
+    return next(found, None) if START.kept(settings) == "last" else None
 
 
 def _parser() -> argparse.ArgumentParser:

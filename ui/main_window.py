@@ -253,9 +253,8 @@ class MainWindow(QMainWindow):
             self.files.open(path)
 
     def _add_menus(self) -> None:
-        for name, dock in self.panes.docks.items():
-            if name != "scene":  # which has a command
-                self.commands.menus["&View"].addAction(dock.toggleViewAction())
+        for dock in self.panes.docks.values():
+            self.commands.menus["&View"].addAction(dock.toggleViewAction())
         self.commands.menus["&View"].addAction(self.panes.strip.toggleViewAction())
 
     def _connect(self) -> None:
@@ -263,7 +262,6 @@ class MainWindow(QMainWindow):
             {
                 "new": self.pages.show_start,
                 "workspace_start": self.pages.show_start,
-                "examples": partial(self.pages.show_start, at_examples=True),
                 "open": self.files.choose_and_open,
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
@@ -291,9 +289,6 @@ class MainWindow(QMainWindow):
                 **self.help.slots(),
             }
         )
-        scene = self.panes.docks["scene"]
-        scene.toggleViewAction().toggled.connect(self.commands["scene_view"].setChecked)
-        self.commands.connect_toggles({"scene_view": scene.setVisible})
         self.start_page.begun.connect(partial(self.help.show_marks_once, self._settings))
         self.messages.message.connect(self.start_page.show_message)
         self._chosen.use_picture, self._chosen.use_light = self._use_picture, self._use_light

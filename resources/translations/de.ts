@@ -45,11 +45,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>Save pict&amp;ure of 3D</source>
-            <translation>3D-Bild speic&amp;hern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Colours of light</source>
             <translation>Farben &amp;des Lichts</translation>
         </message>
@@ -82,16 +77,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Begin a design on the start page</source>
             <translation>Einen Entwurf auf der Startseite beginnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>New from exa&amp;mple…</source>
-            <translation>Neu &amp;aus Beispiel …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Choose an example on the start page</source>
-            <translation>Ein Beispiel auf der Startseite wählen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -172,16 +157,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Write scene, pictures, check and figures as a report (HTML, PDF)</source>
             <translation>Szene, Bilder, Prüfung und Kennzahlen als Bericht schreiben (HTML, PDF)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save &amp;predicted photo…</source>
-            <translation>Fo&amp;to speichern …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the predicted colour photo of the screen (PNG)</source>
-            <translation>Vorhergesagtes Farbfoto des Schirms speichern (PNG)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -665,33 +640,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>1 × as large…</source>
-            <translation>1 × so groß …</translation>
+            <source>Save pict&amp;ure of 3D…</source>
+            <translation>3D-Bild speic&amp;hern…</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 1 × as large as it is seen</source>
-            <translation>Die 3D-Szene als PNG speichern, 1 × so groß wie gezeigt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>2 × as large…</source>
-            <translation>2 × so groß …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 2 × as large as it is seen</source>
-            <translation>Die 3D-Szene als PNG speichern, 2 × so groß wie gezeigt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>4 × as large…</source>
-            <translation>4 × so groß …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 4 × as large as it is seen</source>
-            <translation>Die 3D-Szene als PNG speichern, 4 × so groß wie gezeigt</translation>
+            <source>Save the 3D scene as PNG, about 1800 pixels wide</source>
+            <translation>Die 3D-Szene als PNG speichern, etwa 1800 Pixel breit</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -857,16 +812,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Lock unlocked control points, and unlock locked ones</source>
             <translation>Entsperrte Kontrollpunkte sperren und gesperrte entsperren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;3D scene</source>
-            <translation>&amp;3D-Szene</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Show or hide the 3D scene</source>
-            <translation>Die 3D-Szene zeigen oder verbergen</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1870,11 +1815,6 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Picture ({endings})</source>
-            <translation>Bild ({endings})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} ist geschrieben.</translation>
         </message>
@@ -1912,26 +1852,6 @@
             <location filename="../../ui/files/plots.py" />
             <source>A plot is still being written. Save the next one after it.</source>
             <translation>Ein Diagramm wird noch geschrieben. Danach das nächste speichern.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>The photo is not predicted yet. Save it when it is shown.</source>
-            <translation>Das Foto ist noch nicht vorhergesagt. Speichern, sobald es gezeigt wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>{design} photo</source>
-            <translation>{design} Foto</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>Save predicted photo</source>
-            <translation>Vorhergesagtes Foto speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>The lens has changed. Save the photo of the new one.</source>
-            <translation>Die Linse hat sich geändert. Das Foto der neuen speichern.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2270,11 +2190,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop the simulation; a change of a field restarts it</source>
-            <translation>Simulation anhalten; die Änderung eines Feldes startet sie neu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>&amp;Write G-code…</source>
             <translation>G-Code &amp;schreiben …</translation>
         </message>
@@ -2302,11 +2217,6 @@
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Tracing: {percent} %</source>
             <translation>Durchrechnung: {percent} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stopped before the end of the simulation.</source>
-            <translation>Vor dem Ende der Simulation angehalten.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />

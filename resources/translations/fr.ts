@@ -45,11 +45,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
-            <source>Save pict&amp;ure of 3D</source>
-            <translation>&amp;Enregistrer l'image 3D</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/actions.py" />
             <source>&amp;Colours of light</source>
             <translation>Couleurs de la l&amp;umière</translation>
         </message>
@@ -82,16 +77,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Begin a design on the start page</source>
             <translation>Commencer une conception sur la page d'accueil</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>New from exa&amp;mple…</source>
-            <translation>Nouveau depuis un exemp&amp;le…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Choose an example on the start page</source>
-            <translation>Choisir un exemple sur la page d'accueil</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -172,16 +157,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Write scene, pictures, check and figures as a report (HTML, PDF)</source>
             <translation>Écrire scène, images, vérification et chiffres dans un rapport (HTML, PDF)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save &amp;predicted photo…</source>
-            <translation>Enregistrer la photo préd&amp;ite…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the predicted colour photo of the screen (PNG)</source>
-            <translation>Enregistrer la photo couleur prédite de l'écran (PNG)</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -665,33 +640,13 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>1 × as large…</source>
-            <translation>1 × la taille…</translation>
+            <source>Save pict&amp;ure of 3D…</source>
+            <translation>&amp;Enregistrer l'image 3D…</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 1 × as large as it is seen</source>
-            <translation>Enregistrer la scène 3D en PNG, à 1 × la taille affichée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>2 × as large…</source>
-            <translation>2 × la taille…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 2 × as large as it is seen</source>
-            <translation>Enregistrer la scène 3D en PNG, à 2 × la taille affichée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>4 × as large…</source>
-            <translation>4 × la taille…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Save the 3D scene as PNG, 4 × as large as it is seen</source>
-            <translation>Enregistrer la scène 3D en PNG, à 4 × la taille affichée</translation>
+            <source>Save the 3D scene as PNG, about 1800 pixels wide</source>
+            <translation>Enregistrer la scène 3D en PNG, large d'environ 1800 pixels</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -857,16 +812,6 @@
             <location filename="../../ui/commands/table.py" />
             <source>Lock unlocked control points, and unlock locked ones</source>
             <translation>Verrouiller les points déverrouillés et inversement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>&amp;3D scene</source>
-            <translation>Scène &amp;3D</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Show or hide the 3D scene</source>
-            <translation>Montrer ou cacher la scène 3D</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1870,11 +1815,6 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Picture ({endings})</source>
-            <translation>Image ({endings})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} est écrit.</translation>
         </message>
@@ -1912,26 +1852,6 @@
             <location filename="../../ui/files/plots.py" />
             <source>A plot is still being written. Save the next one after it.</source>
             <translation>Un graphique est en cours d'écriture. Enregistrez le suivant ensuite.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>The photo is not predicted yet. Save it when it is shown.</source>
-            <translation>La photo n'est pas encore prédite. Enregistrez-la quand elle s'affiche.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>{design} photo</source>
-            <translation>{design} photo</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>Save predicted photo</source>
-            <translation>Enregistrer la photo prédite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/plots.py" />
-            <source>The lens has changed. Save the photo of the new one.</source>
-            <translation>La lentille a changé. Enregistrez la photo de la nouvelle.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2270,11 +2190,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stop the simulation; a change of a field restarts it</source>
-            <translation>Arrêter la simulation ; une modification la relance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>&amp;Write G-code…</source>
             <translation>É&amp;crire le G-code…</translation>
         </message>
@@ -2302,11 +2217,6 @@
             <location filename="../../ui/manufacture/cutter.py" />
             <source>Tracing: {percent} %</source>
             <translation>Tracé : {percent} %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Stopped before the end of the simulation.</source>
-            <translation>Arrêté avant la fin de la simulation.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />

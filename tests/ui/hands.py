@@ -80,7 +80,7 @@ def drop(window, path):
 
 def open_example(window, name):
     """Choose an example on the start page."""
-    window.commands["examples"].trigger()
+    window.commands["new"].trigger()
     row = [example.name for example in EXAMPLES].index(name)
     window.start_page.examples.chosen.emit(row)
 

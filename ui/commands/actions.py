@@ -22,7 +22,6 @@ from ui.commands.table import (
     COMMANDS,
     FACES_BY,
     LOCKS,
-    PICTURES,
     RAYS,
     RAYS_BY,
     TOOLS,
@@ -40,7 +39,6 @@ _RUN = ["start", "continue", "pause", "stop"]
 MENUS: dict[str, list[Any]] = {
     "&File": [
         "new",
-        "examples",
         "new_window",
         "open",
         ("Open &recent", []),
@@ -52,7 +50,6 @@ MENUS: dict[str, list[Any]] = {
         "export",
         "cut",
         "report",
-        "save_photo",
         None,
         "close",
         "quit",
@@ -93,7 +90,7 @@ MENUS: dict[str, list[Any]] = {
         "perspective",
         ("&Rays", [*RAYS, None, *RAYS_BY]),
         ("F&aces", [*FACES_BY, None, "relief"]),
-        ("Save pict&ure of 3D", list(PICTURES)),
+        "save_scene",
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
         None,
@@ -102,7 +99,6 @@ MENUS: dict[str, list[Any]] = {
         ("Lay&outs", ["save_layout", "delete_layout", None]),
         "reset_layout",
         None,
-        "scene_view",
     ],
     "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }

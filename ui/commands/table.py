@@ -66,14 +66,8 @@ FACES_BY: dict[str, Literal["material", "height", "curvature"]] = {
 }
 """Commands for the colours of freeform faces in the 3D scene."""
 
-PICTURES = {f"save_scene_{times}": times for times in (1, 2, 4)}
-"""Commands that save the 3D scene so many times as large as it is seen."""
-
 COMMANDS = {
     "new": Command("&New…", "Begin a design on the start page", _Key.New, "new"),
-    "examples": Command(
-        "New from exa&mple…", "Choose an example on the start page", "Ctrl+Shift+N"
-    ),
     "new_window": Command(
         "New &window", "Open another window with its own design and run", "Ctrl+Shift+W"
     ),
@@ -86,9 +80,6 @@ COMMANDS = {
     "cut": Command("Cu&t with a ball cutter…", "Simulate a finishing pass and write it as G-code"),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures as a report (HTML, PDF)", "Ctrl+R"
-    ),
-    "save_photo": Command(
-        "Save &predicted photo…", "Save the predicted colour photo of the screen (PNG)"
     ),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),
     "quit": Command("&Quit", "Close all windows of the workbench", "Ctrl+Q"),
@@ -196,12 +187,9 @@ COMMANDS = {
         "&Perspective", "Perspective instead of parallel projection", checked=False
     ),
     "copy_scene": Command("Copy picture of 3&D", "Copy a picture of the 3D scene to the clipboard"),
-    **{
-        name: Command(
-            f"{times} × as large…", f"Save the 3D scene as PNG, {times} × as large as it is seen"
-        )
-        for name, times in PICTURES.items()
-    },
+    "save_scene": Command(
+        "Save pict&ure of 3D…", "Save the 3D scene as PNG, about 1800 pixels wide"
+    ),
     "turn": Command(
         "&Turn",
         "Rotate the 3D scene by mouse or arrow keys; click to select",
@@ -262,7 +250,6 @@ COMMANDS = {
     "invert_locks": Command(
         "&Invert locks", "Lock unlocked control points, and unlock locked ones"
     ),
-    "scene_view": Command("&3D scene", "Show or hide the 3D scene", "Ctrl+Alt+3", checked=True),
     **{
         f"workspace_{name}": Command(each.title, each.tip, f"Ctrl+{number}", checked=number == 1)
         for number, (name, each) in enumerate(WORKSPACES.items(), 1)

@@ -112,15 +112,13 @@ class StartPage(QStackedWidget):
         self.recent.put([Tile(path.stem, _short(path.parent)) for path in paths])
         self._beside.setVisible(bool(paths))
 
-    def begin_anew(self, *, at_examples: bool = False) -> None:
-        """Show what can be begun with, from the top or from the examples on."""
+    def begin_anew(self) -> None:
+        """Show what can be begun with, from the top."""
         self.refresh()
         self.setCurrentIndex(0)
-        first = self.examples if at_examples else self._well.choose
-        first.setFocus(Qt.FocusReason.TabFocusReason)
+        self._well.choose.setFocus(Qt.FocusReason.TabFocusReason)
         bar = self._scrolled.verticalScrollBar()
-        above = self.examples.y() - _title("").sizeHint().height() if at_examples else 0
-        QTimer.singleShot(0, bar, partial(bar.setValue, above))
+        QTimer.singleShot(0, bar, partial(bar.setValue, 0))
 
     def show_job(self, kind: "type[Job]") -> None:
         """Ask the questions of a job."""

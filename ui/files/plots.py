@@ -13,7 +13,6 @@ from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWrite
 
 from ui.background import Background, Task
 from ui.commands.panes import PANES
-from ui.commands.table import PICTURES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.messages import Messages
@@ -26,23 +25,22 @@ from workbench.files.export.tables import write_table
 
 if TYPE_CHECKING:
     from ui.views.loss_strip import LossStrip
-    from ui.views.photo_view import PhotoView
     from ui.views.plot_view import PlotView
     from ui.views.scene_view import SceneView
     from workbench.pictures.axes import Column
 
 _PNG = ".png"
-_FORMATS = {_PNG: "png", ".svg": "svg"}
-_TABLE = ".csv"
-_DATA = ".json"
+_TABLE, _DATA = ".csv", ".json"
+_PICTURE = later("Picture in pixels (*.png)")
 _FILTERS = later(
     {
-        "Picture in pixels (*.png)": _PNG,
+        _PICTURE: _PNG,
         "Picture in lines (*.svg)": ".svg",
         "Numbers shown (*.csv)": _TABLE,
+        "Figures (*.json)": _DATA,
     }
 )
-_FIGURES = later({"Figures (*.json)": _DATA})
+_WIDE = 1800  # pixels of a picture of the 3D scene, about
 
 
 class _PictureFiles(QObject):
@@ -51,10 +49,6 @@ class _PictureFiles(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._messages, self._dialogs = document, messages, dialogs
-
-    def _ask_for_png(self, title: str, name: str) -> Path | None:
-        filters = {tr("Picture ({endings})").format(endings=f"*{_PNG}"): _PNG}
-        return self._dialogs.to_save("plot", title, name, filters)
 
     def _write(self, path: Path, write: Callable[[BinaryIO], object], size: str = "") -> None:
         try:
@@ -115,24 +109,26 @@ class Plots(_PictureFiles):
 
     def save(self, name: str, path: Path) -> None:
         ending, plot = path.suffix.lower(), self._plots[name]
-        figures = plot.figures()
-        if ending == _TABLE:
-            self._write_table(plot.data(), path)
-        elif ending == _DATA and figures is not None:
-            self._write(path, lambda file: file.write(json.dumps(figures, indent=2).encode()))
-        elif ending in _FORMATS:
-            self._write(path, lambda file: plot.write(file, _FORMATS[ending]))
-        else:
-            known = ", ".join((*_FORMATS, _TABLE, *([] if figures is None else [_DATA])))
+        if ending not in plot.ENDINGS:
             self._messages.warn(
-                tr("{name}: a plot is saved as one of {known}").format(name=path.name, known=known)
+                tr("{name}: a plot is saved as one of {known}").format(
+                    name=path.name, known=", ".join(plot.ENDINGS)
+                )
             )
+        elif ending == _TABLE:
+            self._write_table(plot.data(), path)
+        elif ending == _DATA:
+            self._write(
+                path, lambda file: file.write(json.dumps(plot.figures(), indent=2).encode())
+            )
+        else:
+            self._write(path, lambda file: plot.write(file, ending.removeprefix(".")))
 
     def ask_for_name(self, name: str) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen kind."""
-        filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
+        known = self._plots[name].ENDINGS
         title = tr("Save {pane} plot").format(pane=_in_words(name))
-        endings = {tr(text): ending for text, ending in filters.items()}
+        endings = {tr(text): ending for text, ending in _FILTERS.items() if ending in known}
         return self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
 
     def close(self) -> None:
@@ -170,46 +166,6 @@ def _in_words(name: str) -> str:
     return in_sentence(tr(PANES[name].title))
 
 
-class PhotoPicture(_PictureFiles):
-    """Saves the predicted photo with its exposure."""
-
-    def __init__(
-        self,
-        view: "PhotoView",
-        document: Document,
-        messages: Messages,
-        dialogs: FileDialogs,
-        show: Callable[[], object],
-        parent: QObject,
-    ) -> None:
-        super().__init__(document, messages, dialogs, parent)
-        self._view, self._show = view, show
-
-    def slots(self) -> dict[str, Callable[[], object]]:
-        return {"save_photo": self.choose_and_save}
-
-    def choose_and_save(self) -> None:
-        """Ask for a file and save the photo there; show the view that predicts a missing photo."""
-        if self._view.photo is None:
-            self._show()
-            self._messages.note(tr("The photo is not predicted yet. Save it when it is shown."))
-            return
-        name = tr("{design} photo").format(design=self._document.name)
-        path = self._ask_for_png(tr("Save predicted photo"), name)
-        if path is not None:
-            self.save(path)
-
-    def save(self, path: Path) -> None:
-        # Late: what it stands on is slow to import.
-        from workbench.analysis.photo.photo import write_png
-
-        photo = self._view.photo
-        if photo is None:  # the lens has changed while the dialog was open
-            self._messages.note(tr("The lens has changed. Save the photo of the new one."))
-        else:
-            self._write(path, lambda file: write_png(photo, self._view.stops, file))
-
-
 class ScenePictures(_PictureFiles):
     """Copies and saves the picture of the 3D view."""
 
@@ -225,10 +181,7 @@ class ScenePictures(_PictureFiles):
         self._view = view
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        return {
-            "copy_scene": self.copy,
-            **{name: partial(self.choose_and_save, times) for name, times in PICTURES.items()},
-        }
+        return {"copy_scene": self.copy, "save_scene": self.choose_and_save}
 
     def copy(self) -> None:
         image = self._image(1)
@@ -236,14 +189,14 @@ class ScenePictures(_PictureFiles):
             QGuiApplication.clipboard().setImage(image)
             self._messages.done(tr("A picture of the 3D scene is on the clipboard."))
 
-    def choose_and_save(self, times: int) -> None:
-        """Ask for a file and save the picture there, magnified by a whole number."""
+    def choose_and_save(self) -> None:
+        """Ask for a file and save the picture there, magnified for print."""
         path = self.ask_for_name() if self._is_shown() else None
         if path is not None:
-            self.save(path, times)
+            self.save(path)
 
-    def save(self, path: Path, times: int) -> None:
-        image = self._image(times)
+    def save(self, path: Path) -> None:
+        image = self._image(max(1, round(_WIDE / self._view.width())))
         if image is not None:
             buffer = QBuffer()
             buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -252,7 +205,8 @@ class ScenePictures(_PictureFiles):
             self._write(path, lambda file: file.write(bytes(buffer.data().data())), size)
 
     def ask_for_name(self) -> Path | None:
-        return self._ask_for_png(tr("Save picture of 3D"), f"{self._document.name} 3D")
+        name, filters = f"{self._document.name} 3D", {tr(_PICTURE): _PNG}
+        return self._dialogs.to_save("plot", tr("Save picture of 3D"), name, filters)
 
     def _is_shown(self) -> bool:
         if not self._view.isVisible():

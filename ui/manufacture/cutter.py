@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QProgressBar,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -23,7 +22,7 @@ from ui.background import Background, Task
 from ui.panels.edits import Edit
 from ui.panels.entries import RowEntries, edited_data
 from ui.panels.fields import CheckRow, OptionalRow, Row, described
-from ui.widgets.controls import filled
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.errors import Refused
@@ -186,11 +185,7 @@ class CutterDialog(QDialog):
         self.found.setAccessibleName(tr("Result of the simulation"))
         self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
         self.found.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.bar = QProgressBar()
-        self.bar.setRange(0, 100)
-        self.stop = QPushButton(tr("Stop"))
-        self.stop.setToolTip(tr("Stop the simulation; a change of a field restarts it"))
-        self.stop.clicked.connect(self._stop)
+        self._working = ""  # a text with the percentage that is done
         self.fit = QPushButton()
         self.fit.clicked.connect(self._take_fitting)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
@@ -200,10 +195,8 @@ class CutterDialog(QDialog):
         self.look.clicked.connect(self.trace)
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
-        working = filled(QHBoxLayout(), (self.bar, 1), self.stop, self.fit)
-        filled(
-            QVBoxLayout(self), WrappedLabel(tr(_ABOUT)), self.fields, self.found, working, buttons
-        )
+        about, below = WrappedLabel(tr(_ABOUT)), filled(QHBoxLayout(), STRETCH, self.fit)
+        filled(QVBoxLayout(self), about, self.fields, self.found, below, buttons)
         self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
         self._background = Background(later("simulation of the cut"), self)
@@ -216,7 +209,7 @@ class CutterDialog(QDialog):
     def simulate(self) -> None:
         self._forget()
         if self.fields.refused:
-            self._end("")
+            self.found.clear()
             return
         self._begin(tr("Simulating the cut: {percent} %"))
         self._background.begin(partial(_plan, self._session, self.fields.cutting))
@@ -225,7 +218,7 @@ class CutterDialog(QDialog):
         if self.plan is not None:
             self._goes_on = self.look.hasFocus()
             self.look.setEnabled(False)
-            self._begin(tr("Tracing: {percent} %"))
+            self._begin(f"{_words(self.plan, self._unit)}\n{tr('Tracing: {percent} %')}")
             self._background.begin(partial(_trace, self._session, self.plan))
 
     def _follow(self) -> None:
@@ -238,37 +231,24 @@ class CutterDialog(QDialog):
         self.look.setEnabled(False)
         self.fit.hide()
 
-    def _begin(self, words: str) -> None:
-        self.bar.setFormat(words.replace("{percent} %", "%p %"))
-        self.bar.setValue(0)
-        self.bar.show()
-        self.stop.show()
-
-    def _end(self, text: str) -> None:
-        self.bar.hide()
-        self.stop.hide()
-        self.found.setText(text)
-
-    def _stop(self) -> None:
-        self._background.stop()
+    def _begin(self, working: str) -> None:
+        self._working = working
+        self._show_progress(None, 0.0)
 
     def _show_progress(self, _: object, done: float) -> None:
-        self.bar.setValue(round(100 * done))
+        self.found.setText(self._working.format(percent=round(100 * done)))
 
     def _show_outcome(self, _: None, found: "CutPlan | str | None") -> None:
-        if found is None:
-            stopped = tr("Stopped before the end of the simulation.")
-            self._end(stopped if self.plan is None else _words(self.plan, self._unit))
-        elif isinstance(found, str):
+        if isinstance(found, str):
             assert self.plan is not None
-            self._end(f"{_words(self.plan, self._unit)}\n{found}")
-        else:
+            self.found.setText(f"{_words(self.plan, self._unit)}\n{found}")
+        elif found is not None:
             self._judge(found)
         self._allow_trace()
 
     def _show_failure(self, reason: str) -> None:
         verdict = "" if self.plan is None else f"{_words(self.plan, self._unit)}\n"
-        self._end(f"{verdict}\N{WARNING SIGN} {reason}")
+        self.found.setText(f"{verdict}\N{WARNING SIGN} {reason}")
         self._allow_trace()
 
     def _allow_trace(self) -> None:
@@ -283,9 +263,9 @@ class CutterDialog(QDialog):
             self.plan = plan
             self.write.setEnabled(True)
             self.write.setDefault(True)
-            self._end(_words(plan, self._unit))
+            self.found.setText(_words(plan, self._unit))
             return
-        self._end(f"\N{WARNING SIGN} {tr(refusal.reason)}")
+        self.found.setText(f"\N{WARNING SIGN} {tr(refusal.reason)}")
         self._fitting = plan.default_radius
         self.fit.setText(tr("Use {radius}").format(radius=written(self._fitting, self._unit, 2)))
         self.fit.setVisible(self._fitting < plan.raster.radius)

@@ -73,6 +73,8 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
 class SpreadView(PlotView):
     """The distribution of the error over the traced lenses."""
 
+    ENDINGS = (*PlotView.ENDINGS, ".json")
+
     _WAITING = later(
         "Start traces randomly perturbed lenses and shows the distribution of the error."
     )
@@ -107,7 +109,7 @@ class SpreadView(PlotView):
             columns.append(Column(words, np.array([row[name] for row in rows])))
         return columns
 
-    def figures(self) -> dict[str, Any] | None:
+    def figures(self) -> dict[str, Any]:
         """The distribution and each lens, as the command line writes them."""
         sample = self._sample
         if sample is None or sample.nominal is None:

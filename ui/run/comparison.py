@@ -106,10 +106,6 @@ class RunComparison(QDialog):
     def pair(self) -> Pair | None:
         return self._pair
 
-    @property
-    def readout(self) -> str:
-        return self._readout.text()
-
     def show_pair(self, pair: Pair) -> None:
         self._pair = pair
         titles = image_titles(*(run.scene for run in pair))

@@ -1,7 +1,7 @@
 """Loss of a run as a strip along the window; its curve is the slider to earlier iterations."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, Signal
@@ -155,6 +155,8 @@ class Curve(QSlider):
 class LossStrip(View):
     """The loss of this run and of others, and rewinding of this one."""
 
+    ENDINGS = (".png", ".svg", ".csv")
+
     touched = Signal()
     frame_chosen = Signal(object)
     continued = Signal(object)
@@ -200,8 +202,8 @@ class LossStrip(View):
     def data(self) -> list[Column]:
         return shown_data(self._figure())
 
-    def figures(self) -> None:
-        """Figures for JSON: there are only the data."""
+    def figures(self) -> dict[str, Any]:
+        return {}
 
     def show_runs(self, runs: Sequence[LossCourse]) -> None:
         self.curve.others = tuple(runs)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -72,6 +72,8 @@ _WAITS = later("The photo is predicted when the design rests.")
 class PhotoView(ImageView, ComputingView):
     """The photo, its exposure, and the illumination."""
 
+    ENDINGS = (".png",)
+
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self._shared.changed.connect(self._want)
@@ -97,6 +99,17 @@ class PhotoView(ImageView, ComputingView):
     @property
     def stops(self) -> float:
         return self._slider.value() / _STEPS
+
+    @property
+    def empty(self) -> bool:
+        return self.photo is None
+
+    def write(self, file: BinaryIO, format: str) -> None:
+        """Write the photo as PNG, with its exposure."""
+        from workbench.analysis.photo.photo import write_png  # late: slow to import
+
+        if self._predicted is not None:
+            write_png(self._predicted[1], self.stops, file)
 
     def show_nothing(self, session: "Session") -> None:
         self._predicted = None

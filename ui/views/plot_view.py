@@ -123,6 +123,9 @@ class PlotCanvas(FigureCanvasQTAgg):
 class PlotView(View):
     """Holds a canvas with a plot of one design, of curves unless it is overridden."""
 
+    ENDINGS: tuple[str, ...] = (".png", ".svg", ".csv")
+    """Of files that it is saved to."""
+
     touched = Signal()
 
     _WAITING = later("The image is being computed.")
@@ -161,9 +164,9 @@ class PlotView(View):
     def data(self) -> list[Column]:
         return shown_data(self._canvas.figure)
 
-    def figures(self) -> dict[str, Any] | None:
-        """Figures of the plot, for JSON; None if there are only its data."""
-        return None
+    def figures(self) -> dict[str, Any]:
+        """Figures of the plot, for JSON, if ".json" is among its endings."""
+        return {}
 
     def show_frame(self, frame: "Frame") -> None:
         self._untraced = False

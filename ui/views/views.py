@@ -56,8 +56,8 @@ class Views(QObject):
 
     @property
     def plots(self) -> dict[str, PlotView | LossStrip]:
-        views = {name: view for name, view in self.around.items() if view is not self.photo}
-        return {n: view for n, view in views.items() if isinstance(view, PlotView | LossStrip)}
+        views = self.around.items()
+        return {name: view for name, view in views if isinstance(view, PlotView | LossStrip)}
 
     @property
     def computing(self) -> dict[str, ComputingView]:

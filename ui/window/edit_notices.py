@@ -62,10 +62,6 @@ class Notice(QObject):
         self._text = text
         self._messages.note(text, *offers)
 
-    def _warn(self, text: str, *offers: Offer) -> None:
-        self._text = text
-        self._messages.warn(text, *offers)
-
     def _withdraw_for(self, session: Session) -> None:
         if session is not self._about:
             self._messages.withdraw(self._text)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction
 from ui.commands.actions import keep_colours
 from ui.dialogs.preferences import CHECK
 from ui.document.shown_lens import ShownLens
-from ui.files.plots import PhotoPicture, Plots, ScenePictures
+from ui.files.plots import Plots, ScenePictures
 from ui.lens.tools import LensTools
 from ui.manufacture.pane import ManufacturePane
 from ui.manufacture.tolerance_pane import TolerancePane
@@ -65,8 +65,6 @@ class LoadedParts(QObject):
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
-        show_photo = partial(there.show, "photo")
-        self._photo = PhotoPicture(views.photo, document, messages, early.dialogs, show_photo, self)
         RunLog(document, self.control, early.log.add)
         self.findings = Findings(self.control, self.runs.error_of)
         self.cards = ResultCards(self.findings, early.commands)
@@ -188,7 +186,6 @@ class LoadedParts(QObject):
                 **self.plots.slots(),
                 **self.tools.slots(),
                 **self._pictures.slots(),
-                **self._photo.slots(),
             }
         )
         commands.connect_toggles(self.views.toggles())

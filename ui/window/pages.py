@@ -30,11 +30,11 @@ class Pages(QStackedWidget):
     def at_start(self) -> bool:
         return self.currentWidget() is self._start
 
-    def show_start(self, *, at_examples: bool = False) -> None:
+    def show_start(self) -> None:
         self.setCurrentWidget(self._start)
         self._commands.toolbar.hide()
         self._commands["workspace_start"].setChecked(True)
-        self._start.begin_anew(at_examples=at_examples)
+        self._start.begin_anew()
         self.start_shown.emit(True)
 
     def show_desk(self, name: str = "") -> None:

@@ -22,7 +22,6 @@ _CHANGING = (
     *LOCKS,
     "new",
     "workspace_start",
-    "examples",
     "open",
     "restore_run",
     "delete_run",

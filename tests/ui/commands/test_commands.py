@@ -50,7 +50,7 @@ def test_a_run_can_begin_only_when_there_is_none():
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])
 def test_commands_that_replace_the_design_are_disabled_during_a_run(state):
-    changing = {"open", "examples", "revert", "undo", "redo", "restore_run", "lock_all"}
+    changing = {"open", "new", "revert", "undo", "redo", "restore_run", "lock_all"}
     assert not changing & allowed(state=state)
     reasons = situation(state=state).reasons()
     assert all("Stop it first" in reasons[name] for name in changing)

@@ -116,11 +116,10 @@ class TestFields:
 
 
 def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
-    assert not dialog.write.isEnabled() and dialog.bar.isVisible()
+    assert not dialog.write.isEnabled() and dialog.found.text() == "Simulating the cut: 0 %"
     qtbot.waitUntil(lambda: fits(dialog))
     assert "The cutter fits. Radius 0.2 cm" in dialog.found.text()
     assert "Nothing is cut too deep; up to 0.0019 cm of material remains" in dialog.found.text()
-    assert not dialog.bar.isVisible()
 
 
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
@@ -141,13 +140,12 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     )
 
 
-def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, qtbot):
+def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dialog, qtbot):
     dialog = open_dialog()
-    qtbot.waitUntil(lambda: dialog.bar.value() == 40)
-    assert "Simulating the cut" in dialog.bar.format()
-    dialog.stop.click()
-    qtbot.waitUntil(lambda: "Stopped" in dialog.found.text())
-    assert held.is_set() and not dialog.write.isEnabled()
+    qtbot.waitUntil(lambda: dialog.found.text() == "Simulating the cut: 40 %")
+    dialog.reject()
+    qtbot.waitUntil(held.is_set)
+    assert dialog.plan is None
 
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):

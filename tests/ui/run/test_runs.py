@@ -179,10 +179,17 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     assert verified(window)[0] == "1.25 %"
 
 
+def test_no_run_is_checked_where_a_person_prefers_none(window, run, checks, settings):
+    settings.setValue("run/check", "none")
+    run()
+    assert checks.asked == []
+    assert verified(window)[0] == "–"
+
+
 def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):
     monkeypatch.setattr("ui.run.checks._REST", 0.0)
     monkeypatch.setattr("ui.run.checks._RESTS", 0.0)
-    monkeypatch.setattr("ui.run.checks.QThread.idealThreadCount", lambda: 1)
+    monkeypatch.setattr("ui.run.checks.cores", lambda: 1)
     window.loaded.control.runner._generate = as_run(20, pause=0.01)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["start"].trigger()

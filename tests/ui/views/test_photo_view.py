@@ -1,7 +1,10 @@
 """The predicted photo: taken for eyes, of the lens that rests, saved with its exposure."""
 
+import io
+
 import numpy as np
 import pytest
+from PIL import Image
 from PySide6.QtWidgets import QComboBox, QLabel, QSlider
 
 from ui.views.photo_view import PhotoView
@@ -71,3 +74,15 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     assert view.photo is None
     assert stated(view).startswith("Outdated.")
     qtbot.waitUntil(lambda: view.photo is not None)
+
+
+def test_the_photo_is_written_with_its_exposure_and_not_that_of_an_earlier_lens(view, flat, qtbot):
+    assert view.empty
+    qtbot.waitUntil(lambda: not view.empty)
+    view.findChild(QSlider).setValue(-6)
+    with io.BytesIO() as file:
+        view.write(file, "png")
+        written = np.asarray(Image.open(file))
+    np.testing.assert_array_equal(written, view.photo.picture(view.stops))
+    view.show_frame(flat(1))
+    assert view.empty

@@ -2,6 +2,7 @@
 
 import pytest
 
+from ui import app
 from ui.dialogs.preferences import (
     CHECK,
     CORES,
@@ -13,6 +14,7 @@ from ui.dialogs.preferences import (
     PreferencesDialog,
     apply_look,
 )
+from ui.files.actions import RecentFiles
 from ui.widgets import theme
 from ui.words import set_language, tr
 
@@ -70,3 +72,15 @@ def test_the_start_applies_text_size_theme_and_language(application, settings):
     finally:
         application.setFont(before)
         set_language(application, "en")
+
+
+def test_the_program_begins_with_the_last_design_that_is_still_there(settings, tmp_path):
+    there, gone = tmp_path / "there.freeform", tmp_path / "gone.freeform"
+    there.touch()
+    for path in (there, gone):
+        RecentFiles(settings).add(path)
+    assert app._last_design(settings) is None
+    settings.setValue(START.key, "last")
+    assert app._last_design(settings) == there
+    there.unlink()
+    assert app._last_design(settings) is None

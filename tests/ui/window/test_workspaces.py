@@ -132,19 +132,6 @@ def test_a_check_goes_to_its_workspace_but_not_out_of_a_custom_one(display, wind
         assert "check" in shown(window)
 
 
-def test_the_scene_is_hidden_and_shown_by_its_command(open_window):
-    window = open_window()
-    choose(window, "design")
-    command, dock = window.commands["scene_view"], window.panes.docks["scene"]
-    assert command.isChecked() and not dock.isHidden()
-    command.trigger()
-    assert dock.isHidden()
-    dock.toggleViewAction().trigger()
-    assert command.isChecked() and not dock.isHidden()
-    choose(window, "check")
-    assert not command.isChecked() and dock.isHidden()
-
-
 def test_a_small_window_can_be_used(sized, display, qtbot):
     window = sized(960, 640)
     for name in WORKSPACES:
