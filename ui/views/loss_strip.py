@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from ui.document.frame import Frame
     from workbench.files.session import Session
 
-_HEIGHT, _LABELS, _EDGE, _DOT = 76, 64, 8, 4.0  # pixels: left of the curve, around it, of points
+_HEIGHT, _EDGE, _DOT = 76, 8, 4.0  # pixels: around the curve, of its points
+_LABELS = 9  # characters left of the curve
 _BUTTON = 160  # pixels at the right, which names leave to a button
 _FEWEST = 0.02  # decades of loss that fill the height, at least
 _AXES = 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000  # iterations of a run that goes on
@@ -43,6 +44,7 @@ class Curve(QSlider):
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setFixedHeight(_HEIGHT)
+        self._labels = _LABELS * self.fontMetrics().averageCharWidth()
         self.losses: Array = np.zeros(0)  # after each iteration, the first design included
         self.others: tuple[LossCourse, ...] = ()
         self.length = 1  # iterations along the axis
@@ -76,7 +78,7 @@ class Curve(QSlider):
 
     @property
     def _place(self) -> QRectF:
-        return QRectF(self.rect()).adjusted(_LABELS, _EDGE + 2, -2 * _EDGE, -_EDGE)
+        return QRectF(self.rect()).adjusted(self._labels, _EDGE + 2, -2 * _EDGE, -_EDGE)
 
     def _points(self, iterations: Array, losses: Array) -> list[QPointF]:
         place, (low, high) = self._place, self._range
@@ -131,7 +133,7 @@ class Curve(QSlider):
         for stage in self.stages:
             x = place.left() + place.width() * stage / self.length
             painter.drawLine(QPointF(x, place.top()), QPointF(x, place.bottom()))
-        beside = QRectF(0, place.top() - 3, _LABELS - _EDGE, place.height() + 6)
+        beside = QRectF(0, place.top() - 3, self._labels - _EDGE, place.height() + 6)
         low, high = (written(10.0**decade, digits=2) for decade in self._range)
         flags = Qt.AlignmentFlag
         painter.drawText(beside, flags.AlignRight | flags.AlignBottom, low)
