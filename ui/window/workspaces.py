@@ -31,7 +31,8 @@ _VERSION = 2  # of the docks' names; Qt refuses a layout of another one
 _FORMS, _FORMS_SHARE = 340, 0.3
 _RIGHT, _RIGHT_SHARE = 380, 0.35
 _BESIDE_IMAGE = 76  # buttons above the image and figures below it
-_SCENE_ABOVE, _SCENE_BELOW = 0.42, 0.36  # of the height
+_SCENE_ABOVE = 0.42  # of the height
+_LEAST_BELOW = 0.28  # of the height, however wide the image is
 _SCENE = ("scene",)
 _IMAGE_SHARE = 0.34  # of the width, at least, whatever the docks would like
 # The 3D scene stands beside images that are narrower than this, in widths for each height; below
@@ -41,7 +42,7 @@ _WIDE = 1.4
 _LEFT_AREA = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT_AREA = Qt.DockWidgetArea.RightDockWidgetArea
 _BOTTOM_AREA = Qt.DockWidgetArea.BottomDockWidgetArea
-_DOWNWARDS = Qt.Orientation.Vertical
+_ACROSS, _DOWNWARDS = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 
 
 class Workspaces(QObject):
@@ -169,7 +170,8 @@ class Workspaces(QObject):
         for area, groups in places.items():
             for group in groups:
                 for name in group:
-                    window.addDockWidget(area, docks[name], _DOWNWARDS)
+                    along = _ACROSS if area == _BOTTOM_AREA else _DOWNWARDS
+                    window.addDockWidget(area, docks[name], along)
                     if name != group[0]:
                         window.tabifyDockWidget(docks[group[0]], docks[name])
         # Only then: one below the other, docks would need a larger window.
@@ -187,8 +189,9 @@ class Workspaces(QObject):
         shown = self._workspace
         if not self._wide:
             return {_LEFT_AREA: shown.left, _RIGHT_AREA: shown.right}
-        below = tuple(group for group in shown.right if group == _SCENE)
-        right = tuple(group for group in shown.right if group != _SCENE)
+        # Beside a form, a wide image would have too little width between two columns.
+        below = tuple(group for group in shown.right if shown.left or group == _SCENE)
+        right = tuple(group for group in shown.right if group not in below)
         return {_LEFT_AREA: shown.left, _RIGHT_AREA: right, _BOTTOM_AREA: below}
 
     def _give_way(self) -> None:
@@ -213,21 +216,23 @@ class Workspaces(QObject):
         window, docks, places = self._desk, self._panes.docks, self._places()
         width, height = window.width(), window.height()
         left = min(_FORMS, round(_FORMS_SHARE * width)) if places[_LEFT_AREA] else 0
-        right = min(_RIGHT, round(_RIGHT_SHARE * width))
+        right = min(_RIGHT, round(_RIGHT_SHARE * width)) if places[_RIGHT_AREA] else 0
         if _BOTTOM_AREA not in places:
             tall = self._panes.images.height() - _BESIDE_IMAGE
             right = max(right, width - left - round(tall * self._aspect))
         widths = {_LEFT_AREA: left, _RIGHT_AREA: right}
         beside = {docks[places[area][0][0]]: widths[area] for area in widths if places[area]}
         window.resizeDocks(list(beside), list(beside.values()), Qt.Orientation.Horizontal)
-        for groups in (places[_RIGHT_AREA], places.get(_BOTTOM_AREA, ())):
-            share = _SCENE_ABOVE if len(groups) > 1 else _SCENE_BELOW
-            others = max(len(groups) - 1, 1)
-            shares = [share, *others * [(1 - share) / others]]
-            first = {
-                docks[group[0]]: round(s * height) for group, s in zip(groups, shares, strict=False)
-            }
-            window.resizeDocks(list(first), list(first.values()), _DOWNWARDS)
+        column = [docks[front] for front, *_ in places[_RIGHT_AREA]]
+        if len(column) > 1:
+            parts = [_SCENE_ABOVE, *(len(column) - 1) * [(1 - _SCENE_ABOVE) / (len(column) - 1)]]
+            window.resizeDocks(column, [round(part * height) for part in parts], _DOWNWARDS)
+        row = [docks[front] for front, *_ in places.get(_BOTTOM_AREA, ())]
+        if row:
+            needed = round((width - left - right) / self._aspect) + _BESIDE_IMAGE
+            below = max(height - needed, round(_LEAST_BELOW * height))
+            window.resizeDocks(row, len(row) * [below], _DOWNWARDS)
+            window.resizeDocks(row, len(row) * [(width - left) // len(row)], _ACROSS)
 
 
 _WORKSPACE, _LAYOUT, _ON, _CAMERA = "workspace", "layout", "on", "camera"

@@ -74,7 +74,7 @@ def test_a_square_image_has_as_much_width_as_height(sized, qtbot):
     qtbot.waitUntil(lambda: abs(panel.width() - panel.height()) < 0.15 * panel.height())
 
 
-def test_the_scene_stands_below_a_wide_image_and_beside_a_narrow_one(sized):
+def test_the_scene_stands_below_a_wide_image_and_beside_a_narrow_one(sized, qtbot):
     window = sized(1440, 900)
     choose(window, "design")
     scene, area = window.panes.docks["scene"], Qt.DockWidgetArea
@@ -84,6 +84,9 @@ def test_the_scene_stands_below_a_wide_image_and_beside_a_narrow_one(sized):
     wide = with_values(window.document.session.scene, {path: [2.0, 1.0]})
     window.document.edit(wide, "a wide screen", "")
     assert desk.dockWidgetArea(scene) == area.BottomDockWidgetArea
+    result = window.panes.docks["result"]
+    qtbot.waitUntil(lambda: share(window) >= 0.3 and scene.y() == result.y())
+    assert result.x() >= scene.geometry().right()  # beside each other
     window.document.undo_stack.undo()
     assert desk.dockWidgetArea(scene) == area.RightDockWidgetArea
 
