@@ -136,7 +136,7 @@ def _size(frame: "Frame") -> int:
     return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))
 
 
-_AT_ONCE_MS = 90  # for a person; first lenses of small edits come sooner, and nothing flickers
+_AT_ONCE_MS = 60  # for a person; first lenses of small edits come sooner, and nothing flickers
 
 
 class ShownLens(QObject):
