@@ -88,7 +88,7 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     tools._count()
     for x in (0.02, 0.04, 0.06):
         moved = source.model_copy(update={"position": (x, 0.0, -4.0)})
-        tools._move(before.scene.model_copy(update={"source": moved}))
+        tools._move(before.scene.model_copy(update={"source": moved}), "Move source")
         qtbot.wait(50)
     qtbot.waitUntil(lambda: window.document.session.result is not None)
     assert window.document.session.scene.source.position == (0.06, 0.0, -4.0)

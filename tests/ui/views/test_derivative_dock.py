@@ -33,7 +33,7 @@ def seen_at(window, index):
     """Where a control point is seen in the 3D view, as Qt counts."""
     view = window.loaded.views.scene
     renderer = view._plotter.renderer
-    renderer.SetWorldPoint(*view.nets.picture._places[index], 1.0)
+    renderer.SetWorldPoint(*view.nets.picture.places(index), 1.0)
     renderer.WorldToDisplay()
     x, y, _ = renderer.GetDisplayPoint()
     scale = view.devicePixelRatioF()
