@@ -9565,6 +9565,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Schirm verschieben</translation>
         </message>
         <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>source</source>
+            <translation>Quelle</translation>
+        </message>
+        <message>
             <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>dieser Lauf</translation>
@@ -9583,11 +9588,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/pictures/loss.py" />
             <source>loss</source>
             <translation>Zielfunktion</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/parts.py" />
-            <source>source</source>
-            <translation>Quelle</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />

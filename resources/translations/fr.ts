@@ -9565,6 +9565,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>déplacer l'écran</translation>
         </message>
         <message>
+            <location filename="../../workbench/pictures/handles.py" />
+            <source>source</source>
+            <translation>source</translation>
+        </message>
+        <message>
             <location filename="../../workbench/pictures/loss.py" />
             <source>this run</source>
             <translation>cette exécution</translation>
@@ -9583,11 +9588,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/pictures/loss.py" />
             <source>loss</source>
             <translation>coût</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/parts.py" />
-            <source>source</source>
-            <translation>source</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />

@@ -12,13 +12,13 @@ from workbench.jobs import JOBS
 from workbench.jobs.lenses import (
     BeamShaper,
     LedRectangle,
-    MirrorJob,
     StreetLight,
     SunPlate,
     Torch,
     TorchBeam,
     WallWasher,
 )
+from workbench.jobs.mirrors import MirrorJob
 from workbench.targets import load_target
 
 every_job = pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)

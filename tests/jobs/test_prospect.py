@@ -11,7 +11,8 @@ from workbench.design.task import begin
 from workbench.jobs import JOBS
 from workbench.jobs.estimate import estimating
 from workbench.jobs.job import blur_widths
-from workbench.jobs.lenses import LedRectangle, MirrorJob, SunPlate, Torch
+from workbench.jobs.lenses import LedRectangle, SunPlate, Torch
+from workbench.jobs.mirrors import MirrorJob
 from workbench.jobs.prospect import prospecting
 from workbench.progress import finished
 from workbench.scene.paths import with_values

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from workbench.jobs import side_view
-from workbench.jobs.lenses import MirrorJob, SunPlate, Torch, WallWasher
+from workbench.jobs.lenses import SunPlate, Torch, WallWasher
+from workbench.jobs.mirrors import MirrorJob
 from workbench.jobs.slopes import needed_slopes
 from workbench.scene.paths import with_values
 

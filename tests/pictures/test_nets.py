@@ -5,9 +5,8 @@ import pytest
 
 from resources import path
 from workbench.pictures.control_net import ControlNetPicture
-from workbench.pictures.handles import Handles, handles_of
+from workbench.pictures.handles import Handles, handles_of, part_at
 from workbench.pictures.lens import LensPicture
-from workbench.pictures.parts import part_at
 from workbench.pictures.projection import Projection
 from workbench.scene import Scene
 

@@ -46,8 +46,7 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.camera import CameraState
     from workbench.pictures.compass import Compass
-    from workbench.pictures.handles import Handles
-    from workbench.pictures.parts import SeenPart
+    from workbench.pictures.handles import Handles, SeenPart
     from workbench.pictures.projection import Projection
     from workbench.scene import Element, Scene
 
@@ -153,7 +152,7 @@ class SceneView(View):
         """Return the part of the scene at a place on the monitor."""
         if self._shown is None or self._contents.sight is None:
             return None
-        from workbench.pictures.parts import part_at
+        from workbench.pictures.handles import part_at
 
         place = pixel_at(self._plotter, self._plotter.mapFromGlobal(at).toPointF())
         return part_at(self._drawn(self._shown.scene), self._contents.sight, *place)

@@ -1,7 +1,7 @@
 """Jobs: tasks in real units that begin from a few questions.
 
 A job is a `Part` with titles, tips and units; its answers make a `Scene`. A new job is a class in
-`lenses` and a line in `JOBS`.
+`lenses` or a file of its own, and a line in `JOBS`.
 """
 
 from workbench.jobs.job import Job
@@ -10,13 +10,13 @@ from workbench.jobs.lenses import (
     Empty,
     Experiment,
     LedRectangle,
-    MirrorJob,
     StreetLight,
     SunPlate,
     Torch,
     TorchBeam,
     WallWasher,
 )
+from workbench.jobs.mirrors import MirrorJob
 from workbench.jobs.side_view import Dimension, SideView, side_view
 
 JOBS: tuple[type[Job], ...] = (

@@ -1,26 +1,27 @@
-"""Handles for dragging source, elements, thicknesses of lenses and the screen.
+"""Parts of a scene seen at a pixel, and handles that drag source, elements, lenses and screen.
 
 The handles of a source that is small on screen stand beside it, so that the source itself can still
 be dragged. They follow the camera: each rendering places them anew.
 """
 
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.messages import Message
 from workbench.pictures.actors import PointMarkers
+from workbench.pictures.camera import box_around
 from workbench.pictures.projection import Projection
 from workbench.scene import Scene
 
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
-_PICK_DISTANCE = 14.0  # pixels; farther away nothing is picked
+_PICK_DISTANCE = 14.0  # pixels; farther away no handle is picked, and no source
 _CORNER_DISTANCE = 3 * _PICK_DISTANCE  # least pixels from the middle to a corner handle
 _INSIDE = (9, 9)  # points of a source, along x and y, that drag all of it
 _ACROSS, _ALONG = np.eye(3)[:2], np.eye(3)[2:]
@@ -224,3 +225,42 @@ class Handles:
         # A corner seen at the middle itself has no direction on screen.
         times = max(1.0, _CORNER_DISTANCE / max(away, 1e-9)) if away > 0 else 1.0
         return np.asarray(middle + times * (place - middle))
+
+
+class SeenPart(NamedTuple):
+    """A part of a scene: its path, and what it is called within a sentence."""
+
+    path: str
+    called: str
+
+
+def part_at(scene: Scene, sight: Projection, x: float, y: float) -> SeenPart | None:
+    """Return the part of a scene, as drawn, at a pixel; None where there is none."""
+    body, (start, end) = sight.corner(x, y), sight.line(x, y)
+    source = scene.source.seen(_INSIDE)
+    if len(source):
+        away = np.hypot(*(sight.pixels(source) - (x, y)).T)
+        nearest = source[away.argmin()]
+        hidden = body is not None and (body - nearest) @ (end - start) < 0
+        if away.min() <= _PICK_DISTANCE and not hidden:
+            return SeenPart("source", Message("source"))
+    if body is None:
+        return None
+    # Of boxes that hold the point the smallest: that of a tilted or curved receiver holds more.
+    ranked = [(_distance(body, box), float(np.ptp(box)), part) for part, box in _boxes(scene)]
+    return min(ranked, key=lambda each: each[:2])[2]
+
+
+def _boxes(scene: Scene) -> Iterator[tuple[SeenPart, Array]]:
+    """Elements and receivers, with points (n, 3) of a box around each."""
+    for number, element in enumerate(scene.elements):
+        yield SeenPart(f"elements[{number}]", element.name), box_around(element)
+    for number, receiver in enumerate(scene.receivers):
+        outline = receiver.outline(scene.elements[-1]).reshape(-1, 3)
+        yield SeenPart(f"images[{number}].receiver", receiver.called), outline
+
+
+def _distance(point: Array, box: Array) -> float:
+    """Distance of a point from a box, in sizes of the box; rounded, as bodies may stick out."""
+    beyond = np.maximum(box.min(axis=0) - point, point - box.max(axis=0))
+    return round(float(np.linalg.norm(np.maximum(beyond, 0.0)) / np.ptp(box)), 3)

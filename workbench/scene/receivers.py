@@ -353,16 +353,15 @@ class FarField(AnyReceiver):
         """Of V in the middle of each row."""
         n_y, v = self.pixels[1], math.radians(self.center[1])
         rows = n_y - 1 - 2 * np.arange(-margin, n_y + margin)
-        cosines: Array = np.cos(v + rows * (math.radians(self.half_angle[1]) / n_y))
-        return cosines[:, None]
+        return np.asarray(np.cos(v + rows * (math.radians(self.half_angle[1]) / n_y)))[:, None]
 
     def from_middle(self, u: Array, v: Array) -> Array:
         """The angles between their directions and that of the middle."""
         (mid_h, mid_v), h, v = np.radians(self.middle), np.radians(u), np.radians(v)
         # Of half the chord, as the cosine of small angles loses its digits.
-        square = np.cos(v) * np.cos(mid_v) * np.sin((h - mid_h) / 2) ** 2
-        half = np.sqrt(square + np.sin((v - mid_v) / 2) ** 2)
-        return np.asarray(np.degrees(2 * np.arcsin(half)))
+        across = np.cos(v) * np.cos(mid_v) * np.sin((h - mid_h) / 2) ** 2
+        square = across + np.sin((v - mid_v) / 2) ** 2
+        return np.asarray(np.degrees(2 * np.arcsin(np.sqrt(square))))
 
     def towards(
         self, optic: Element, place: tuple[Array, Array, Array], u: Array, v: Array
@@ -372,8 +371,8 @@ class FarField(AnyReceiver):
 
     def drawn(self, optic: Element, u: Array, v: Array) -> Array:
         """On a sphere around the place that light leaves."""
-        around = np.array([0.0, 0.0, optic.leaving_z])
-        return np.asarray(around + self.radius(optic) * self._direction(optic, u, v))
+        far = self.radius(optic) * self._direction(optic, u, v)
+        return np.asarray(np.array([0.0, 0.0, optic.leaving_z]) + far)
 
     @staticmethod
     def radius(optic: Element) -> float:
@@ -386,17 +385,14 @@ class FarField(AnyReceiver):
 
     def per_radian(self, z: float) -> tuple[float, float]:
         """The same from everywhere."""
-        degrees = math.degrees(1)
-        return degrees / math.cos(math.radians(self.center[1])), degrees
+        return math.degrees(1 / math.cos(math.radians(self.center[1]))), math.degrees(1)
 
     def _direction(self, optic: Element, h: Array, v: Array) -> Array:
         """Unit vectors of angles of light that leaves an element, in degrees, shape (..., 3)."""
         h, v = np.radians(h), np.radians(v)
         onwards = optic.onwards if self.turn is None else 1
-        parts = np.broadcast_arrays(
-            np.cos(v) * np.sin(h), np.sin(v), onwards * np.cos(v) * np.cos(h)
-        )
-        way = np.stack(parts, axis=-1)
+        parts = np.cos(v) * np.sin(h), np.sin(v), onwards * np.cos(v) * np.cos(h)
+        way = np.stack(np.broadcast_arrays(*parts), axis=-1)
         return way if self.turn is None else way @ self.turn.T
 
 
