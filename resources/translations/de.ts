@@ -4471,6 +4471,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />
+            <source>Compare: {image}</source>
+            <translation>Vergleich: {image}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
             <source>Handle between two images</source>
             <translation>Griff zwischen zwei Bildern</translation>
         </message>

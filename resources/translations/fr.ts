@@ -4471,6 +4471,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />
+            <source>Compare: {image}</source>
+            <translation>Comparer : {image}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
             <source>Handle between two images</source>
             <translation>Poignée entre deux images</translation>
         </message>

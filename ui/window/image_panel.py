@@ -45,7 +45,6 @@ class ImagePanel(QFrame):
         self._modes = {name: self._mode(name, one_of) for name, pane in PANES.items() if pane.image}
         self._bar.addActions(list(self._modes.values()))
         self._compare = QToolButton(self)
-        self._compare.setText(tr("Compare"))
         self._compare.setToolTip(
             tr("Show a second image; drag the handle between them, or press arrows on it")
         )
@@ -136,6 +135,7 @@ class ImagePanel(QFrame):
         """Give the buttons of a view another title."""
         for actions in (self._modes, self._seconds):
             actions[name].setText(title)
+        self._show()
 
     def _mode(self, name: str, one_of: QActionGroup) -> QAction:
         action = QAction(tr(PANES[name].title), self)
@@ -148,7 +148,10 @@ class ImagePanel(QFrame):
         if self._second == self._name:
             self._second = next(name for name in self._modes if name != self._name)
         self._modes[self._name].setChecked(True)
-        self._seconds[self._second].setChecked(True)
+        second = self._seconds[self._second]
+        second.setChecked(True)
+        words = tr("Compare: {image}").format(image=second.text()) if self.compared else ""
+        self._compare.setText(words or tr("Compare"))
         self._views.show_views(self._name, self.compared)
         self.setFocusProxy(self._views.first)
 

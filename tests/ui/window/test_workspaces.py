@@ -278,10 +278,12 @@ def test_a_pinned_image_is_offered_and_compared_with_until_it_is_removed(panel):
     panel.follow_pin(True)
     assert all(button.isVisible() for button in buttons)
     assert (panel.name, panel.compared) == ("irradiance", "pinned")
+    assert panel._compare.text() == "Compare: Pinned"
     panel.choose("error")
     assert (panel.name, panel.compared) == ("error", "pinned")
     panel.follow_pin(False)
     assert (panel.name, panel.compared) == ("error", "")
+    assert panel._compare.text() == "Compare"
     panel.compare_with("photo")
     panel.choose("pinned")
     panel.follow_pin(False)
