@@ -178,6 +178,10 @@ class KindRow(ChoiceRow):
         whole, name = holder_of(scene, self._part)
         self.changed = isinstance(whole, Part) and whole.differs(str(name))
 
+    def forget(self) -> None:
+        super().forget()
+        self._shown = ""
+
     def concerns(self, path: str) -> bool:
         """Whether a refusal of ``path`` belongs to this row; one of the whole part does."""
         return path == self._part or super().concerns(path)
@@ -192,6 +196,8 @@ class KindRow(ChoiceRow):
     def _change(self, name: str) -> Changes | None:
         if not name:
             return {self._part: None} if self._shown else None
+        if not (self._shown or self._optional):  # the part went while its choices were open
+            return None
         first = self._begin(self._named[name])
         if first is None:
             self.asked.emit(self._named[name])

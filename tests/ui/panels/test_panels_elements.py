@@ -276,3 +276,14 @@ def test_control_heights_of_a_file_are_asked_for_with_fixed_faces(begin, qtbot):
     row(forms, "elements[0].faces[0].fixed").box.click()
     assert elements(document)[0].faces[0].fixed
     assert row(forms, "elements[0].faces[0].heights").isVisible()
+
+
+def test_a_choice_for_a_part_that_went_while_its_list_was_open_is_left_out(begin):
+    document, forms = begin()
+    choose(forms, "elements[0].faces[0].shape", "bspline")
+    kinds = row(forms, "elements[0].faces[0].base.shape").chooser
+    document.undo_stack.undo()
+    before = document.session.scene
+    kinds.setCurrentIndex(kinds.findData("sphere"))
+    kinds.activated.emit(kinds.currentIndex())
+    assert document.session.scene == before and not document.undo_stack.canUndo()
