@@ -6,7 +6,6 @@ for each. `later` marks texts in tables of modules, which go through `tr` where 
 `resources.dictionaries` collects all texts.
 """
 
-import unicodedata
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
@@ -14,6 +13,7 @@ from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 import resources
 from workbench.errors import Refused, RunFailed
 from workbench.messages import Message
+from workbench.messages import capitalised as capitalised
 
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
 """Names by codes; see resources/translations for all but the first."""
@@ -63,13 +63,6 @@ def in_sentence(text: str) -> str:
     if _language in _NOUNS_ARE_LARGE or text[1:2].isupper():
         return text
     return text[:1].lower() + text[1:]
-
-
-def capitalised(text: str) -> str:
-    """Capitalise a text; symbols such as λ stay small."""
-    if not (text and unicodedata.name(text[0], "").startswith("LATIN")):
-        return text
-    return text[0].upper() + text[1:]
 
 
 def system_language() -> str:

@@ -1,5 +1,6 @@
-"""A translatable message with values."""
+"""A translatable message with values, and capitals of texts."""
 
+import unicodedata
 from collections.abc import Mapping
 from typing import Any, Self
 
@@ -39,3 +40,10 @@ class Message(str):
 
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
         return (self.words,), dict(self.values)
+
+
+def capitalised(text: str) -> str:
+    """Capitalise a text; symbols such as λ stay small."""
+    if not (text and unicodedata.name(text[0], "").startswith("LATIN")):
+        return text
+    return text[0].upper() + text[1:]

@@ -22,7 +22,7 @@ from ui.document.document import ENDING, Document
 from ui.files.dialogs import FileDialogs
 from ui.run.control import NO_LENS, CurrentLens
 from ui.widgets.messages import Messages
-from ui.words import error_text, later, tr
+from ui.words import capitalised, error_text, later, tr
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.formats import GCODE, Format, format_of, formats_for
@@ -210,7 +210,7 @@ def _named(path: Path, found: Format, element: str) -> Path:
 
 def _filter(found: Format, unit: str = "") -> str:
     patterns = " ".join(f"*{ending}" for ending in found.endings)
-    name = f"{found.name[0].upper()}{found.name[1:]}"
+    name = capitalised(found.name)
     named = tr("{format} in {unit}").format(format=name, unit=unit) if unit else name
     return f"{named} ({patterns})"
 

@@ -174,7 +174,8 @@ class PictureDialog(QDialog):
     @property
     def target(self) -> ImageTarget:
         target = self._scene.target
-        assert isinstance(target, ImageTarget)  # stated above
+        if not isinstance(target, ImageTarget):
+            raise TypeError("only a picture is cropped")
         return target
 
     @property

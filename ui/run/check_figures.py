@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from ui.run.checks import RAYS, CheckedLens
 from ui.widgets.controls import STRETCH, Table, command_button, filled
 from ui.widgets.labels import WrappedLabel, kept_together
-from ui.words import in_sentence, later, tr
+from ui.words import capitalised, in_sentence, later, tr
 from workbench.messages import Message
 
 if TYPE_CHECKING:
@@ -226,7 +226,7 @@ class CheckFigures(QWidget):
     def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
         for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
-            for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
+            for column, text in enumerate((capitalised(row.name), row.value)):
                 item = QTableWidgetItem(kept_together(text))
                 item.setData(_ORIGINAL, text)
                 item.setToolTip(f"<p>{tip}</p>")

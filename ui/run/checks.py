@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from workbench.analysis.validation_figures import Validation
     from workbench.design.lens_state import LensState
     from workbench.design.snapshot import Result
-    from workbench.files.session import Session
+    from workbench.files.session import KeptRun, Session
     from workbench.geometry.faces import ControlHeights
     from workbench.report.findings import Attainable
 
@@ -51,6 +51,10 @@ class CheckedLens:
         """A lens with its own images, for their difference to the check."""
         further = tuple(light.irradiance for light in state.further)
         return cls(session, state.heights, iterations, state.irradiance, further)
+
+    def lights(self, task: "Session | KeptRun", heights: "ControlHeights") -> bool:
+        """Whether heights are those of this lens, and it gives a task the same light."""
+        return heights == self.heights and lit_alike(task, self.session)
 
 
 def check(
@@ -122,8 +126,7 @@ class Check(QObject):
     def take(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
         """Take over the check of a run's lens while that is shown."""
         shown = self._shown
-        alike = shown is not None and shown.state.heights == lens.heights
-        if shown is not None and alike and lit_alike(shown.session, lens.session):
+        if shown is not None and lens.lights(shown.session, shown.state.heights):
             self._asked, self._asked_rays = shown, RAYS
             self.checked.emit(lens, found, difference)
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.document.frame import lit_alike, shows
+from ui.document.frame import shows
 from ui.run.checks import CheckedLens, RunCheck, verified_error
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
@@ -157,6 +157,4 @@ class Runs(QObject):
 
 
 def _is_lens_of(run: KeptRun | Session, lens: CheckedLens) -> bool:
-    result = run.result
-    same = result is not None and result.state.heights == lens.heights
-    return same and lit_alike(run, lens.session)
+    return run.result is not None and lens.lights(run, run.result.state.heights)

@@ -15,7 +15,7 @@ from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
 from ui.widgets.controls import Chooser
-from ui.words import later, tr
+from ui.words import capitalised, later, tr
 from workbench.analysis.photo.light import LIGHTS
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import PhotoImage
@@ -128,8 +128,7 @@ class PhotoView(ImageView, ComputingView):
         )
         self._light.addItem(tr("Light of the source"), "")
         for name, light in LIGHTS.items():
-            title = tr(light.title)
-            self._light.addItem(title[0].upper() + title[1:], name)
+            self._light.addItem(capitalised(tr(light.title)), name)
         self._light.currentIndexChanged.connect(self._want)
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setRange(-_MOST * _STEPS, _MOST * _STEPS)
@@ -199,8 +198,7 @@ class PhotoView(ImageView, ComputingView):
     def _show_summary(self, request: PhotoRequest) -> None:
         self._show_veil()
         if self._known(request) and self._predicted is not None:
-            text = tr(self._predicted[1].summary)
-            self._state(f"{text[0].upper()}{text[1:]}.")
+            self._state(f"{capitalised(tr(self._predicted[1].summary))}.")
         elif not self.background.busy:
             before = "" if self._predicted is None else tr("Outdated. ")
             self._state(before + tr(_WAITS))

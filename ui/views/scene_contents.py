@@ -225,11 +225,11 @@ class SceneContents:
             self._rule.place(() if tool is None else tool.ruled)
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
-        scene = frame.session.scene.model_copy(update={"source": frame.source})
         if tool is None or not tool.shows_handles:
             handles.show(None)
         else:
-            handles.show(tool.dragged or scene)
+            own = {"source": frame.source}  # a stage of a run may have its own
+            handles.show(tool.dragged or frame.session.scene.model_copy(update=own))
 
     def recolour(self, *, dark: bool) -> None:
         self.nets.recolour(dark)

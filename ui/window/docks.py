@@ -30,7 +30,7 @@ from ui.widgets.native import Uncovered
 from ui.widgets.shelf import Shelf, open_folder
 from ui.window.edit_notices import RefusedFields
 from ui.window.image_panel import ImagePanel
-from ui.words import later, tr
+from ui.words import capitalised, later, tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -180,8 +180,7 @@ class _Capitalised(QStyledItemDelegate):
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().initStyleOption(option, index)
-        text = option.text
-        option.text = text[:1].upper() + text[1:]
+        option.text = capitalised(option.text)
 
 
 _COMPILING = later(

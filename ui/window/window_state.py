@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeySequence
 from ui.commands.table import LOCKS
 from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
-from ui.words import later, tr
+from ui.words import capitalised, later, tr
 from workbench.design.snapshot import STOPPED, has_converged
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ class WindowState:
         elif now.state == "idle" and result is not None and has_converged(result.ended):
             self._early.status.show_state(tr("Done: no further gain"))
         elif now.state == "idle" and ended:
-            self._early.status.show_state(ended[0].upper() + ended[1:])
+            self._early.status.show_state(capitalised(ended))
         else:
             self._early.status.show_state(tr(_STATES[now.state]))
 

@@ -7,7 +7,7 @@ an element finds it. Dock, report, figures and files take all they say of it fro
 from collections.abc import Mapping
 from typing import NamedTuple, Self
 
-from workbench.messages import Message
+from workbench.messages import Message, capitalised
 from workbench.scene import AnyReceiver, Diffuser, Lens, Mirror, Scene
 from workbench.scene.losses import Loss, key_of, kind_and_element
 
@@ -51,8 +51,7 @@ def loss_of(key: str) -> Loss:
 def words_of(part: str, receiver: AnyReceiver | type[AnyReceiver]) -> tuple[str, str]:
     """Return title and tip of a part of an account, by its name in `Account.to_data`."""
     if part == "on_screen":
-        place = receiver.place
-        return f"{place[0].upper()}{place[1:]}", "Light that makes the image."
+        return capitalised(receiver.place), "Light that makes the image."
     loss = loss_of(part)
     return loss.title_for(receiver.called), loss.tip.format(receiver=receiver.called)
 

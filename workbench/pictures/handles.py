@@ -18,6 +18,7 @@ from workbench.pictures.actors import PointMarkers
 from workbench.pictures.camera import box_around
 from workbench.pictures.projection import Projection
 from workbench.scene import Scene
+from workbench.scene.paths import value_at
 
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
@@ -39,7 +40,7 @@ class Handle:
     place: Array
     """Where the handle is drawn, shape (3,)."""
     change: Callable[[Scene, Array, int], Scene]
-    """Return a scene, not checked, after a drag by a vector (3,); lengths have so many decimals."""
+    """Return a scene, not checked, after a drag by a vector (3,), rounded to some decimals."""
     directions: tuple[Array, Array] = (_ACROSS, _ALONG)
     """Unit vectors (k, 3) of a drag, and of one with Ctrl."""
     area: Array | None = None
@@ -107,7 +108,7 @@ def _of_elements(scene: Scene) -> list[Handle]:
                 partial(_move_element, number),
             )
         )
-        if (thickness := vars(element).get("thickness")) is not None:  # of lenses
+        if (thickness := value_at(element, "thickness")) is not None:  # of lenses
             back, front = element.in_scene(np.array([[x, -y, z + thickness], [x, -y, z]]))
             axis = ((back - front) / thickness)[None]
             handles.append(
@@ -123,19 +124,17 @@ def _of_elements(scene: Scene) -> list[Handle]:
 
 
 def _move_element(number: int, scene: Scene, by: Array, digits: int) -> Scene:
-    place = _rounded(scene.elements[number].position, by, digits)
-    return _with_element(scene, number, {"position": place})
+    return _changed(scene, number, "position", partial(_rounded, by=by, digits=digits))
 
 
 def _thicken(number: int, axis: Array, scene: Scene, by: Array, digits: int) -> Scene:
-    thickness = vars(scene.elements[number])["thickness"]
-    return _with_element(scene, number, {"thickness": round(thickness + float(axis @ by), digits)})
+    return _changed(scene, number, "thickness", lambda d: round(d + float(axis @ by), digits))
 
 
-def _with_element(scene: Scene, number: int, changes: dict[str, Any]) -> Scene:
-    elements = list(scene.elements)
-    elements[number] = elements[number].model_copy(update=changes)
-    return scene.model_copy(update={"elements": tuple(elements)})
+def _changed(scene: Scene, number: int, field: str, change: Callable[[Any], Any]) -> Scene:
+    element = scene.elements[number]
+    changed = element.model_copy(update={field: change(value_at(element, field))})
+    return scene.with_element(number, changed)
 
 
 def _of_screen(scene: Scene) -> list[Handle]:
@@ -201,10 +200,7 @@ class Handles:
         )
 
     def _nearest(self, x: float, y: float, places: list[Array]) -> Handle | None:
-        away = [
-            np.hypot(*(self._projection.pixels(each.reshape(-1, 3)) - (x, y)).T).min()
-            for each in places
-        ]
+        away = [self._projection.away(each.reshape(-1, 3), x, y).min() for each in places]
         if not away or min(away) > _PICK_DISTANCE:
             return None
         return self.shown[int(np.argmin(away))]
@@ -239,7 +235,7 @@ def part_at(scene: Scene, sight: Projection, x: float, y: float) -> SeenPart | N
     body, (start, end) = sight.corner(x, y), sight.line(x, y)
     source = scene.source.seen(_INSIDE)
     if len(source):
-        away = np.hypot(*(sight.pixels(source) - (x, y)).T)
+        away = sight.away(source, x, y)
         nearest = source[away.argmin()]
         hidden = body is not None and (body - nearest) @ (end - start) < 0
         if away.min() <= _PICK_DISTANCE and not hidden:

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.colors import PowerNorm
 
 from workbench.arrays import Array
+from workbench.messages import capitalised
 from workbench.pictures.axes import (
     UNSIGNED,
     Extent,
@@ -91,7 +92,7 @@ def write_manufacture(
     for part, (name, maps) in zip(parts, faces.items(), strict=True):
         draw_manufacture(part, maps, limits, unit)
         if len(faces) > 1:
-            part.suptitle(f"{name[0].upper()}{name[1:]}")
+            part.suptitle(capitalised(name))
     figure.savefig(file, dpi=_DPI, format="png")
 
 

@@ -71,10 +71,10 @@ class PartDrawing:
         self._level = _Section(front[:, middle][:, [0, 2]], back[:, middle][:, [0, 2]])
         depth = high[2] - low[2]
         per_unit = float(ratio(self.unit, "mm"))
-        room = self._width - 2 * _MARGIN - _GAP, _TALLEST - _GAP
+        space = self._width - 2 * _MARGIN - _GAP, _TALLEST - _GAP
         needed = (self._size[0] + depth) * per_unit, (self._size[1] + depth) * per_unit
-        fits = [s for s in _SCALES if all(s * n <= r for n, r in zip(needed, room, strict=True))]
-        self.scale = fits[0] if fits else min(r / n for n, r in zip(needed, room, strict=True))
+        most = min(free / need for free, need in zip(space, needed, strict=True))
+        self.scale = next((scale for scale in _SCALES if scale <= most), most)
         self._paper = self.scale * per_unit  # mm of paper per unit
         self._tall = self._paper * (self._size[1] + depth) + _GAP + 2 * _MARGIN
         self.height = self._tall / _MM
@@ -102,8 +102,7 @@ class PartDrawing:
         self._draw_level(axes, middle[0], middle[1] - high / 2 - _GAP, deep, wide)
 
     def _draw_front(self, axes: "Axes", middle: Array, wide: float, high: float) -> None:
-        x, y = (middle + self._paper * self._rim).T
-        axes.fill(x, y, facecolor=_GLASS, edgecolor=_INK, linewidth=1.2)
+        self._fill(axes, middle + self._paper * self._rim)
         across, up = np.array([wide / 2, 0]), np.array([0, high / 2])
         self._centre(axes, middle - across, middle + across, "B")
         self._centre(axes, middle - up, middle + up, "A")
@@ -131,8 +130,7 @@ class PartDrawing:
         begins, ends = ((at(*side[half])[0], bottom) for side in (section.front, section.back))
         self._dimension(axes, begins, ends, (0, -_BESIDE), section.thickness(half), "centre ")
         for place, row in ((top, -1), (bottom, 0)):
-            edge = f"edge {self._number(section.thickness(row))}"
-            axes.text(begin + deep + 2, place, edge, fontsize=_FONT - 1, color=_THIN, va="center")
+            self._edge(axes, (begin + deep + 2, place), section.thickness(row), "left")
         self._title(axes, begin + deep / 2, bottom - _BESIDE - 8, "A–A")
 
     def _draw_level(
@@ -143,14 +141,17 @@ class PartDrawing:
         self._fill(axes, places)
         self._centre(axes, (middle, top), (middle, top - deep), "")
         for side, row, across in ((1, -1, "left"), (-1, 0, "right")):
-            edge = f"edge {self._number(section.thickness(row))}"
             place = middle + side * (wide / 2 + 2), top - deep / 2
-            axes.text(*place, edge, fontsize=_FONT - 1, color=_THIN, ha=across, va="center")
+            self._edge(axes, place, section.thickness(row), across)
         self._title(axes, middle, top - deep - 8, "B–B")
 
     def _fill(self, axes: "Axes", places: Any) -> None:
         x, y = np.asarray(places).T
         axes.fill(x, y, facecolor=_GLASS, edgecolor=_INK, linewidth=1.2)
+
+    def _edge(self, axes: "Axes", place: Any, thickness: float, across: str) -> None:
+        (x, y), text = place, f"edge {self._number(thickness)}"
+        axes.text(x, y, text, fontsize=_FONT - 1, color=_THIN, ha=across, va="center")
 
     def _title(self, axes: "Axes", x: float, y: float, text: str) -> None:
         axes.text(x, y, text, fontsize=_FONT, weight="bold", color=_INK, ha="center", va="center")

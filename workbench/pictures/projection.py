@@ -49,8 +49,7 @@ class Projection:
         place = np.array(picker.GetPickPosition())
         vertex = picker.GetDataSet().GetPoint(picker.GetPointId())
         corner = np.array(picker.GetActor().GetMatrix().MultiplyPoint((*vertex, 1.0))[:3])
-        away = np.linalg.norm(self.pixels(corner[None])[0] - (x, y))
-        return corner if away <= _SNAP else place
+        return corner if self.away(corner[None], x, y)[0] <= _SNAP else place
 
     def _picked(self, x: float, y: float) -> vtkCellPicker | None:
         picker = vtkCellPicker()
@@ -68,6 +67,10 @@ class Projection:
         # From -1 … 1 across the window.
         across = (np.column_stack([x / scale, y / scale]) + 1) / 2
         return np.asarray(across * renderer.GetSize())
+
+    def away(self, points: Array, x: float, y: float) -> Array:
+        """Return how many pixels (n,) points (n, 3) are seen from a pixel."""
+        return np.asarray(np.linalg.norm(self.pixels(points) - (x, y), axis=1))
 
     def movement(self, point: Array, directions: Array, moved: tuple[float, float]) -> Array:
         """Return the lengths (k,) by which an object follows the pointer.

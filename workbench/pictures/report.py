@@ -18,6 +18,7 @@ from matplotlib.transforms import Bbox, BboxBase
 from workbench.arrays import Array
 from workbench.design.session import Session, result_of
 from workbench.geometry.surface import freeform_nets
+from workbench.messages import capitalised
 from workbench.pictures import lens_image, loss
 from workbench.pictures.axes import AS_SEEN, UNSIGNED
 from workbench.pictures.error_curves import draw_errors
@@ -312,8 +313,8 @@ def draw_faces(figure: "FigureBase", session: Session, element: Element) -> None
     panels = figure.subplots(-(-len(faces) // 2), 2, gridspec_kw=_APART).ravel()
     for axes, face in zip(panels, faces, strict=False):
         SurfaceImage(axes, scene, ASPECTS[0], face).update(heights[face])
-        words = scene.face_in_words(face)
-        axes.set_title(f"{words[0].upper()}{words[1:]} over its base", fontsize=_FONT)
+        title = capitalised(f"{scene.face_in_words(face)} over its base")
+        axes.set_title(title, fontsize=_FONT)
     for axes in panels[len(faces) :]:
         axes.set_axis_off()
 

@@ -16,7 +16,7 @@ from workbench.analysis.validation_figures import Validation
 from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
 from workbench.measured.lamps import IN_PARTS, LightUnit
-from workbench.messages import Message
+from workbench.messages import Message, capitalised
 from workbench.optics.account import Account, words_of
 from workbench.powers import written
 from workbench.report.content import Fact, Table
@@ -67,8 +67,8 @@ def area_table(found: Validation) -> Table | None:
     """Table of the light of the target's lit area and of each region; None without both."""
     if not found.areas:
         return None
-    rows = [(_capital(light.name), *light.figures.values()) for light in found.areas]
-    return Table(("Area", *map(_capital, found.areas[0].figures)), tuple(rows))
+    rows = [(capitalised(light.name), *light.figures.values()) for light in found.areas]
+    return Table(("Area", *map(capitalised, found.areas[0].figures)), tuple(rows))
 
 
 Made = tuple[Element, Manufacture, Limits]
@@ -90,7 +90,7 @@ def result_table(scene: Scene, found: Validation, made: Sequence[Made]) -> Table
             error.relative_l2_corrected,
         ),
         _goal_row(
-            scene, "light", (_capital(f"light {scene.receiver.place}"), percent(light)), light
+            scene, "light", (capitalised(f"light {scene.receiver.place}"), percent(light)), light
         ),
     ]
     for number, image in enumerate(found.images, 1):
@@ -100,7 +100,7 @@ def result_table(scene: Scene, found: Validation, made: Sequence[Made]) -> Table
         of = f" of the {element.name}" if len(made) > 1 else ""
         rows += [
             (
-                _capital(f"{v.name}{of}"),
+                capitalised(f"{v.name}{of}"),
                 written(v.found.value, v.behind(scene.unit).strip(), 5),
                 v.wanted(scene.unit),
                 _STATES[v.state],
@@ -123,22 +123,15 @@ def _goal_row(scene: Scene, key: str, shown: tuple[str, str], value: float) -> t
 
 def _uniformity_rows(scene: Scene, light: RegionLight, image: int) -> list[tuple[str, ...]]:
     """Rows of a lit area; ``image`` is the number of its image, 0 for a single one."""
-    of = f", image {image}" if image else ""
-    rows = [
-        (f"{_capital(name)} on the {light.name}{of}", text)
-        for name, text in light.figures.items()
-        if name.startswith(("average", "U"))
-    ]
+    where = f" on the {light.name}{f', image {image}' if image else ''}"
+    _, average, _, _, even, ends = (
+        (f"{capitalised(name)}{where}", text) for name, text in light.figures.items()
+    )
     return [
-        _goal_row(scene, "uniformity", row, light.uniformity or 0.0)
-        if row[0].startswith("U₀")
-        else (*row, _NO_LIMIT, _NO_LIMIT)
-        for row in rows
+        (*average, _NO_LIMIT, _NO_LIMIT),
+        _goal_row(scene, "uniformity", even, light.uniformity or 0.0),
+        (*ends, _NO_LIMIT, _NO_LIMIT),
     ]
-
-
-def _capital(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}"
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from workbench.messages import capitalised
 from workbench.report.content import Fact
 from workbench.scene import Element, FieldDescription, Part, Scene
 from workbench.scene.part import title_of
@@ -38,7 +39,7 @@ def scene_rows(scene: Scene) -> dict[str, tuple[Fact, ...]]:
         group, _, name = title.partition(" · ") if " · " in title else ("Scene", "", title)
         value = Path(files[row.path]).name if row.path in files else row.value
         if value:
-            groups.setdefault(f"{group[:1].upper()}{group[1:]}", []).append(Fact(name, value))
+            groups.setdefault(capitalised(group), []).append(Fact(name, value))
     return {group: tuple(rows) for group, rows in groups.items()}
 
 
