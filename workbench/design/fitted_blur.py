@@ -33,7 +33,7 @@ _FEWEST, _NEAR_SCREEN, _NEARLY_ALL_RAYS = 100, 2.0, (0.002, 0.998)
 # Where it differs, as many cells as control points decide: a designed face of 384² seems 5.2 %
 # uneven with 192 cells, and is 1.4 % with 384, of 24 to 96 origins. And the greatest part of the
 # image by which it may differ.
-_LOOKS, _EVEN = ((192, 96), (384, 32)), 0.03
+_LOOKS, _EVEN = ((192, 96), (384, 32), (768, 8)), 0.03
 # Its widths over those behind a plate: steep faces and long ways to the rim of the receiver make it
 # wider. Images change as their difference over a step does, not farther than some steps.
 _MIDDLE, _STEP, _FARTHEST = 1.01, 0.03, 3.0
