@@ -1,7 +1,7 @@
 """Dialog of a ball cutter. Each entry restarts the simulation of the cut."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -32,6 +32,7 @@ from workbench.scene import LENGTH, Measure
 from workbench.scene.fields import LeftOut
 
 if TYPE_CHECKING:
+    from workbench.analysis.making.as_made import MadeStep
     from workbench.files.export.gcode import CutPlan
     from workbench.files.session import Session
 
@@ -291,6 +292,19 @@ def _words(plan: "CutPlan", unit: str) -> str:
     return f"\N{CHECK MARK} {tr('The cutter fits.')} {found}"
 
 
+def words_of(steps: "Sequence[MadeStep]") -> str:
+    """Errors as designed and after each process, in a sentence."""
+    errors = (
+        tr("{process} {error:.3g} % (± {off:.1g})").format(
+            process=tr(step.title) if step.title else tr("As designed"),
+            error=100 * step.error.distance,
+            off=100 * step.error.off,
+        )
+        for step in steps
+    )
+    return tr("Error: {errors}.").format(errors=", ".join(errors))
+
+
 def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
     from workbench.design.session import result_of  # late: take long to import
     from workbench.files.export.design import Design
@@ -301,12 +315,14 @@ def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
 
 
 def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
-    from workbench.analysis.cut_lens import tracing_cut  # late: takes long to import
+    from workbench.analysis.making.as_made import tracing_made  # late: takes long to import
     from workbench.design.session import result_of
+    from workbench.scene.making.milling import Milling
 
-    heights = result_of(session).state.heights
-    steps = tracing_cut(session.scene, heights, session.target, plan.raster, RAYS)
+    y = plan.raster.y
+    milling = Milling(ball_radius=plan.raster.radius, step_over=float(y[1] - y[0]))
+    later = (each for each in session.scene.processes if not isinstance(each, Milling))
+    scene = session.scene.altered(processes=(milling, *later))
+    steps = tracing_made(scene, session.target, result_of(session).state.heights, rays=RAYS)
     found = task.follow(steps, task.report)
-    if found is None:
-        return None
-    return f"{tr(found.sentence)} {tr('Polishing removes scallops.')}"
+    return None if found is None else words_of(found)

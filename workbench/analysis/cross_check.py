@@ -13,6 +13,7 @@ from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.arrays import Array
 from workbench.errors import RunFailed
+from workbench.geometry.as_made import AsMade
 from workbench.geometry.body import check_body
 from workbench.messages import Message
 from workbench.progress import Progress, fraction_of, no_progress
@@ -88,7 +89,8 @@ def cross_check(
 
     Mitsuba takes Fresnel's equations for unpolarised light; where the scene takes Schlick's
     approximation, the difference is in the result. In both what is reflected is lost. Coatings,
-    other laws of reflection, and fields of a lens that take light are left out of both.
+    other laws of reflection, fields of a lens that take light, and relief of manufacture are left
+    out of both.
 
     `rays`: rays for each of the two, at least. Raises `Refused` if Mitsuba is not installed, pixels
     are not square, or the lens is no body; `RunFailed` if no light reaches the screen.
@@ -96,6 +98,9 @@ def cross_check(
     scene.check_one_image("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
+    made = AsMade.of(scene)
+    scene, heights = made.scene, made.heights(heights)
+    left_out += ("relief of manufacture",) if made.reliefs else ()
     theirs = [(line.part, MitsubaScene(line.scene, heights)) for line in scene.lines]
     half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {

@@ -29,6 +29,7 @@ from workbench.analysis.tracing.train import Tally
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.errors import RunFailed
+from workbench.geometry.as_made import scatterer_of
 from workbench.measured.lamps import light_unit
 from workbench.messages import Message
 from workbench.optics.account import Account
@@ -175,8 +176,9 @@ def _reason_without_cells(
     scene: Scene, by_cells: ByCells | None, corrected: CorrectedDistance
 ) -> Message | None:
     """Why the check has no deterministic figure; None where it has one."""
-    if scene.diffuser is not None:
-        return Message("a diffuser scatters the light: random rays are used")
+    scatterer = scatterer_of(scene)
+    if scatterer is not None:
+        return Message("{what} scatters the light: random rays are used", what=scatterer)
     if by_cells is None:
         return Message("finer cells would take too long: ask for more rays")
     if by_cells.poorer_than(corrected.interval):

@@ -1,7 +1,7 @@
 """``freeform validate``."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,7 @@ from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series, with_screen_at
 from workbench.analysis.light_limit import light_limits
+from workbench.analysis.making.as_made import MadeStep, tracing_made
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
@@ -21,6 +22,7 @@ from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.session import read_session
+from workbench.progress import finished
 from workbench.scene import AnyReceiver, Scene
 from workbench.scene.losses import kind_and_element
 
@@ -56,6 +58,7 @@ def validate(
             compared = cross_check(*task, progress=progress.show)
     with closing(PartProgress("check")) as progress:
         found = compute_check(*task, accuracy=ACCURACY, progress=progress.show)
+    steps = _as_made(scene, session.target, result.state.heights, rays // 4)
     # The optimiser's image is on the receiver of the scene.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
@@ -69,16 +72,18 @@ def validate(
         if bound and bound.certified:
             figures["relative_l2_bound"] = bound.relative_l2
         figures["light_limits"] = [limit.to_data() for limit in limits]
-        if compared:
-            figures["cross_check"] = compared.to_data()
-        if series:
-            figures["through_focus"] = [each.to_data() for each in series]
-        print(json.dumps(figures))
+        further = {
+            "as_made": [step.to_data() for step in steps],
+            "cross_check": compared and compared.to_data(),
+            "through_focus": [each.to_data() for each in series],
+        }
+        print(json.dumps(figures | {name: each for name, each in further.items() if each}))
     else:
         _print_images(found, [own, *others], scene)
         if bound and bound.certified:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         print(f"{'light, at most':<18}{most}  (with any lens)")
+        _print_made(steps)
         if compared:
             _print_compared(compared)
         if series:
@@ -206,6 +211,23 @@ def _print_compared(found: CrossCheck) -> None:
         print(f"{name:<18}{ours:<10.5f}{theirs:.5f}")
     if found.left_out:
         print(f"{'left out of both':<18}{', '.join(found.left_out)}")
+
+
+def _as_made(
+    scene: Scene, target: Array, heights: Mapping[str, Array], rays: int
+) -> tuple[MadeStep, ...]:
+    if not scene.processes:
+        return ()
+    with closing(PartProgress("as made")) as progress:
+        return finished(tracing_made(scene, target, heights, rays=rays), progress.show)
+
+
+def _print_made(steps: Sequence[MadeStep]) -> None:
+    if steps:
+        print("\nError as designed, and after each process")
+    for step in steps:
+        error, title = step.error, step.title or "as designed"
+        print(f"{title:<18}{error.distance:.5f}  (95 % {_interval(error.interval)})")
 
 
 def _print_series(series: Sequence[Focus]) -> None:

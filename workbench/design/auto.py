@@ -31,6 +31,7 @@ from workbench.design.smoothness import Smoothness
 from workbench.design.snapshot import GAINED, NO_IMAGE
 from workbench.design.waves import FaceWaves
 from workbench.errors import RunFailed
+from workbench.geometry.as_made import AsMade
 from workbench.geometry.faces import NO_FACES, NO_LOCKS
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
@@ -77,7 +78,8 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     if goes_on or bounds.first is None:
         start = free.nearest(before)
     else:
-        first = {face: bounds.limits[face].nearest(each) for face, each in bounds.first.items()}
+        first = AsMade.of(scene).for_result(bounds.first)
+        first = {face: bounds.limits[face].nearest(each) for face, each in first.items()}
         start = free.nearest(_joined(first, before, locked))
         image = finest_image(scene, target, start, mirrored)
         far_off = _far_off(bounds, image, start)

@@ -1,6 +1,7 @@
 """The blur of a source over the image of a lens, as traces of that lens show it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import reduce
 
 import numpy as np
 import torch
@@ -16,10 +17,11 @@ from workbench.design.lens_blur import (
     plan_of,
 )
 from workbench.extended.blur import Blur, one_over_the_lens
-from workbench.extended.blurring import convolved_in_place, powers
+from workbench.extended.blurring import ImageBlur, convolved, convolved_in_place, powers
 from workbench.extended.scattering import Directions
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.paths import ray_paths
+from workbench.optics.plan import arrays_of
 from workbench.optics.samples import Corners
 from workbench.scene import Scene, Screen
 
@@ -48,8 +50,7 @@ def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Direc
     about_ray = diffuser is not None and diffuser.scatter.about_ray
     if not about_ray or not isinstance(screen, Screen):
         return None
-    found = {face: each.detach().double().cpu().numpy() for face, each in heights.items()}
-    paths = ray_paths(scene, found, _RAYS)
+    paths = ray_paths(scene, arrays_of(heights), _RAYS)
     right, up, normal = screen.sides
     start, end = paths.points[:, -2], paths.points[:, -1]
     ahead = np.abs((end - start) @ normal)
@@ -71,7 +72,9 @@ def directions_at_receiver(scene: Scene, heights: Mapping[str, Tensor]) -> Direc
     return directions
 
 
-def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None:
+def lens_blur_of(
+    scene: Scene, heights: Mapping[str, Tensor], blurs: Sequence[ImageBlur] = ()
+) -> LensBlur | None:
     """What the parts of a lens make of a source of some size; None where they differ too much.
 
     All origins are traced once, and compared with the light of the middle of the source, blurred by
@@ -79,25 +82,32 @@ def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None
     photograph in the sun, of which a run then saw 1.9 % in place of 2.2 % as its error. How the
     blur differs from place to place of the image comes from single rays.
 
-    `heights` (n_u, n_v): control heights of a lens like those to come.
+    `heights` (n_u, n_v): control heights of a lens like those to come; `blurs`: what else blurs the
+    image; differences that it hides do not count.
     """
     if not one_over_the_lens(scene):
         return None
     blur = Blur.of(scene, heights[scene.optic.designed_face].mean().item())
     if blur.seen_in(scene.receiver.pixels) != blur:
         return None
-    change = BlurChange.of(scene, heights)
+    given = LensBlur(blur, BlurChange.of(scene, heights))
+    seen = reduce(convolved, (each.of_pixels for each in blurs), blur.spread()[0])
     for cells, origins in _LOOKS:
-        found = _fitted(scene, heights, LensBlur(blur, change), cells, origins)
+        found = _fitted(scene, heights, given, seen, cells, origins)
         if found is not None or cells >= max(scene.optic.net_shape):
             return found
     return None
 
 
 def _fitted(
-    scene: Scene, heights: Mapping[str, Tensor], given: LensBlur, count: int, origins: int
+    scene: Scene,
+    heights: Mapping[str, Tensor],
+    given: LensBlur,
+    seen: Array,
+    count: int,
+    origins: int,
 ) -> LensBlur | None:
-    """A blur with the widths that a lens makes; see `lens_blur_of`."""
+    """A blur with the widths that a lens makes, if it is even behind the kernel ``seen``."""
     cells, near = (count, count), given.wider(_MIDDLE, _MIDDLE)
     margin = given.wider(_MIDDLE + _STEP, _MIDDLE + _STEP).mean.margin
     plan = plan_of(scene, cells, blur=near)
@@ -119,7 +129,7 @@ def _fitted(
     best = np.linalg.lstsq(np.column_stack([*map(np.ravel, steps)]), (traced - middle).ravel())[0]
     x, y = (_MIDDLE + _STEP * part for part in best.clip(-_FARTHEST, _FARTHEST).tolist())
     # Origins make dots of narrow light, which are no difference of the lens.
-    even = [convolved_in_place(image, given.mean.spread()[0]) for image in (traced, middle)]
+    even = [convolved_in_place(image, seen) for image in (traced, middle)]
     unlike = np.linalg.norm(even[1] - even[0])
     return given.wider(x, y) if unlike < _EVEN * np.linalg.norm(even[0]) else None
 

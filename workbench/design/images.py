@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 import torch
@@ -15,6 +16,7 @@ from workbench.design.loss import AskedLight, Residual, check_finite, measure_of
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import ImageBlur, convolved
 from workbench.extended.deblur import wanted_light
+from workbench.geometry.as_made import AsMade
 from workbench.geometry.surface import nets_of
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
@@ -43,11 +45,12 @@ class WideImage:
     themselves in x, in y; see `BeamPlan`; `blur`: what the parts of the lens make of the source, if
     that is nearly the same everywhere: light of its middle is traced then, and blurred;
     `asked_light`: light that the image shall have. By default what arrives, however much that is;
-    `scattering`: what a diffuser makes of the light that comes to the receiver of ``scene``.
+    `blurs`: what a diffuser, and relief of manufacture, make of the light that comes to the
+    receiver of ``scene``; `made`: what manufacture makes of control heights; nothing by default.
     `effort`: time of a look at a lens and its gradients, in those of a beam of light: how many
     cells are traced, those of all origins together, of which boxes take less; `blurred`: whether it
     is the light of a source whose size blurs it, or of a diffuser; `rays`: whether it is drawn as
-    rays, not beams; `blur_widths`: mean widths of ``blur`` and ``scattering`` along x and y, parts
+    rays, not beams; `blur_widths`: mean widths of ``blur`` and ``blurs`` along x and y, parts
     of those of the receiver, or that of a pixel;
     0 where the blur differs over the lens.
     """
@@ -61,7 +64,8 @@ class WideImage:
         mirrored: tuple[bool, bool] = (False, False),
         blur: LensBlur | None = None,
         asked_light: AskedLight | None = None,
-        scattering: ImageBlur | None = None,
+        blurs: Sequence[ImageBlur] = (),
+        made: AsMade | None = None,
     ) -> None:
         receiver = scene.receiver
         self.rays = blur is not None and blur.suits_rays
@@ -69,14 +73,14 @@ class WideImage:
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        self._plan = plan_of(scene, cells, mirrored, blur, scattering, self.rays)
-        self._margin = m_x, m_y
+        self._plan = plan_of(scene, cells, mirrored, blur, blurs, self.rays)
+        self._margin, self._made = (m_x, m_y), made
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
-        self.blurred = blur is not None or scattering is not None or corners.origins > 1
-        blurs = [each.widths for each in (blur and blur.mean, scattering) if each]
-        pixel = 0.0 if self.blurred and not blurs else _PIXEL
-        x, y = map(max, zip((pixel, pixel), *blurs, strict=True))
+        self.blurred = blur is not None or bool(blurs) or corners.origins > 1
+        widths = [each.widths for each in (blur and blur.mean, *blurs) if each]
+        pixel = 0.0 if self.blurred and not widths else _PIXEL
+        x, y = map(max, zip((pixel, pixel), *widths, strict=True))
         self.blur_widths = x / n_x, y / n_y
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:
@@ -92,10 +96,10 @@ class WideImage:
         self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         # Where pixels cover different measures, densities are compared, as shares of all light.
         flux = share(target * receiver.relative_measure())
-        kernel = _mean_kernel(scene, scattering)
+        kernel = _mean_kernel(scene, blurs)
         wanted = wanted_light(flux, kernel, (m_x, m_y))
         # Two faces near an LED are at most 3.0 % off with this, and 4.0 % without.
-        if kernel is not None and scattering is None:
+        if kernel is not None and not blurs:
             wanted /= wanted.sum()
         wanted = wanted / receiver.relative_measure(m_y)
         wide = torch.as_tensor(wanted, dtype=torch.float32, device=device)
@@ -107,13 +111,17 @@ class WideImage:
 
         Raises `RunFailed` if there is no light on the wide image, or the loss is not finite.
         """
-        traced = self._plan.trace(heights, self._margin)
+        traced = self._trace(heights)
         return self._residual(traced), self._step(heights, traced)
 
     def step(self, heights: Mapping[str, Tensor]) -> Step:
         """The step to report of a lens, also of one that sends no light here."""
         with torch.no_grad():
-            return self._step(heights, self._plan.trace(heights, self._margin))
+            return self._step(heights, self._trace(heights))
+
+    def _trace(self, heights: Mapping[str, Tensor]) -> Light:
+        made = heights if self._made is None else self._made.tensors(heights)
+        return self._plan.trace(made, self._margin)
 
     def _step(self, heights: Mapping[str, Tensor], traced: Light) -> Step:
         account = traced.account
@@ -125,15 +133,12 @@ class WideImage:
         return Step(state, self._plan.notes, merit)
 
 
-def _mean_kernel(scene: Scene, scattering: ImageBlur | None) -> Array | None:
-    """What becomes of light in a pixel by source and diffuser, on average; None if nothing."""
+def _mean_kernel(scene: Scene, blurs: Sequence[ImageBlur]) -> Array | None:
+    """What becomes of light in a pixel by source and blurs, on average; None if nothing."""
     source = Blur.of(scene).seen_in(scene.receiver.pixels)
     kernels = [] if source.within_a_pixel else [source.spread()[0]]
-    if scattering is not None:
-        kernels.append(scattering.of_pixels)
-    if len(kernels) == 2:
-        return convolved(*kernels)
-    return kernels[0] if kernels else None
+    kernels += [blur.of_pixels for blur in blurs]
+    return reduce(convolved, kernels) if kernels else None
 
 
 def _margin(extent: float, pixels: int, farthest: float) -> int:

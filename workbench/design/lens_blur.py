@@ -7,7 +7,7 @@ a letter in the sun is 5.8 % off, and 6.1 % by 256 origins.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Self
@@ -304,22 +304,22 @@ def plan_of(
     cells: tuple[int, int] | Corners,
     mirrored: tuple[bool, bool] = (False, False),
     blur: LensBlur | None = None,
-    scattering: ImageBlur | None = None,
+    blurs: Sequence[ImageBlur] = (),
     rays: bool = False,
 ) -> BeamPlan | BlurredPlan:
     """The plan of images of a scene.
 
     `cells`, `mirrored`: see `BeamPlan`; `blur`: what the parts of the lens make of the source: only
     light of its middle is traced then, or of the middles of as many parts of it as there are
-    origins; `scattering`: what a diffuser makes of the light that comes to the receiver; `rays`:
-    whether light that the source blurs is drawn as rays, not beams.
+    origins; `blurs`: what becomes of the light that comes to the receiver, the last one last;
+    `rays`: whether light that the source blurs is drawn as rays, not beams.
     """
     pixels = scene.receiver.pixels
-    if scattering is not None:
-        parts = scattering.parts
-        blur = blur and blur.scaled(parts)
-        finer = plan_of(_finer(scene, parts), cells, mirrored, blur, rays=rays)
-        return BlurredPlan(finer, scattering, pixels)
+    if blurs:
+        *before, last = blurs
+        blur = blur and blur.scaled(last.parts)
+        finer = plan_of(_finer(scene, last.parts), cells, mirrored, blur, before, rays)
+        return BlurredPlan(finer, last, pixels)
     if blur is None:
         return BeamPlan(scene, cells, mirrored=mirrored)
     corners = Corners(*cells)

@@ -12,15 +12,16 @@ from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 from workbench.arrays import Array
 from workbench.design.fitted_blur import directions_at_receiver, lens_blur_of
 from workbench.design.images import AnyImage, SeveralImages, WideImage
-from workbench.design.loss import AskedLight
+from workbench.design.loss import asked_light_of
+from workbench.extended.relief_blur import relief_blur_of
 from workbench.extended.scattering import film_scene, scattering_of
+from workbench.geometry.as_made import AsMade
 from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import of_known_size
-from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.plan import arrays_of
 from workbench.optics.samples import Corners
-from workbench.scene import Lens, Scene, WantedImage
-from workbench.scene.losses import kind_and_element
+from workbench.scene import Scene, WantedImage
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,6 +55,7 @@ class Level(Density):
     finer: float = 1.0
     # The rays that make an image under the blur of such a source; None where beams do.
     rays: Density | None = None
+    errors: bool = False  # whether faces have the random errors of a part that has been made
 
 
 COARSE = Level(per_pixel=1.5, per_control_point=1.2, thinning=0.5)
@@ -76,6 +78,7 @@ JUDGED = replace(
     origins=4,
     finer=2.0,
     rays=replace(_RAYS, per_control_point=3.7),
+    errors=True,
 )
 """The best lens of a run is judged by it at last, by beams that the descent has not corrected.
 
@@ -118,15 +121,6 @@ _FEW_CELLS = (128, 128)
 # a photograph is 0.83 and 0.87 % off after 20 steps, words 3.11 and 3.24 %, a dark shape on white
 # 2.04 and 1.90 %; with 0.2 0.85, 3.14 and 1.91 %.
 _DARK, _MOST_PLACES = 0.2, 480
-# Two faces close to a source are asked for so much more light than the first design sends: 67.1 %
-# of an LED 10 mm before a lens of 120 mm arrive with an error of 4.3 %, not 61.9 % with 3.3 %.
-_MORE_LIGHT = 1.05
-# From this part of the light on that an exit face reflects, it deflects near the critical angle; at
-# normal incidence it is 0.04. Light that is lost then counts by this factor in the error, or total
-# reflection would be the easiest cure for places that are too bright: an LED 10 mm before a lens of
-# 24 mm for a rectangle of 136° is 70 % off with 9 % of its light without it, and 65 % with 36 %.
-# With a factor of 5 it is 62 % off with 40 %, but a lens of 60 mm is 40 % off in place of 39 %.
-_STEEP, _LOST = 0.15, 2.0
 # Beams between the origins of a near source, see `workbench.optics.images.source_beams`: by beams
 # between the samples of the lens for each origin, a run of two faces 7 mm before an LED sees 3.9 %
 # where 7.3 % are verified; by beams between origins 4.5 % where 4.7 % are. Behind a dome and before
@@ -207,7 +201,8 @@ def judging_image(
     None where it has no more beams than that one.
     """
     level, fine = _level(JUDGED, scene, _SEVERAL_JUDGED), fine_level(scene)
-    if all(cells_of(level, each) == cells_of(fine, each) for each in scene.single):
+    alike = all(cells_of(level, each) == cells_of(fine, each) for each in scene.single)
+    if alike and not scene.processes:
         return None
     return _images(level, scene, target, heights, mirrored)
 
@@ -231,9 +226,9 @@ def _images(
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool],
 ) -> AnyImage:
-    images = scene.wanted(target)
-    made = [_image_of(level, image, heights, mirrored) for image in images]
-    return made[0] if len(made) == 1 else SeveralImages(made, images)
+    wanted = scene.wanted(target)
+    images = [_image_of(level, image, heights, mirrored) for image in wanted]
+    return images[0] if len(images) == 1 else SeveralImages(images, wanted)
 
 
 def _image_of(
@@ -242,22 +237,27 @@ def _image_of(
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool],
 ) -> WideImage:
-    scene, cells = film_scene(image.scene), None
+    made = AsMade.of(image.scene, level.errors)
+    ideal, heights = made.scene, made.tensors(heights)
+    scene, cells = film_scene(ideal), None
     extended = _origins(scene) > 1
-    blur = lens_blur_of(scene, heights) if extended else None
+    scattering = scattering_of(ideal, directions_at_receiver(ideal, heights))
+    blurs = tuple(filter(None, (scattering, relief_blur_of(made, arrays_of(heights)))))
+    blur = lens_blur_of(scene, heights, blurs) if extended else None
     rays = blur is not None and blur.suits_rays
-    scattering = scattering_of(image.scene, directions_at_receiver(image.scene, heights))
     if extended and blur is None:
         cells = fitting_source_cells(level, scene, heights, mirrored)
+    cells = cells or cells_of(level, scene, mirrored, sharp=blur is not None, rays=rays)
     return WideImage(
         scene,
         image.target,
-        cells or cells_of(level, scene, mirrored, sharp=blur is not None, rays=rays),
+        cells,
         light_extent_of(scene, heights),
         mirrored,
         blur,
         asked_light_of(scene, heights),
-        scattering,
+        blurs,
+        made,
     )
 
 
@@ -358,39 +358,3 @@ def eases_of(
     found = grid_sample(wanted, places, padding_mode="border", align_corners=False)
     found = interpolate(found, (n_v, n_u), mode="bilinear", align_corners=True)[0, 0].T
     return {face: (1 / (found.square() + _DARK**2).sqrt()).cpu().numpy()}
-
-
-def asked_light_of(scene: Scene, heights: Mapping[str, Tensor]) -> AskedLight | None:
-    """What a lens shall send to the receiver; None where what arrives is as good as any.
-
-    An image that is compared with as much light as arrives gets better by losing what is hard to
-    place. Two faces close to a source decide how much light comes through, and each face does that
-    deflects light by nearly as much as it can.
-    """
-    optic = scene.optic
-    near = optic.front_z - scene.alone.source.nearest_z < max(optic.half_width)
-    weight = _LOST if _reflects_much(scene, heights) else 0.0
-    if not weight and not (near and len(heights) > 1):
-        return None
-    arrived = _account_of(scene, heights).arrived
-    return AskedLight(_MORE_LIGHT * arrived, weight) if arrived else None
-
-
-def _reflects_much(scene: Scene, heights: Mapping[str, Tensor]) -> bool:
-    """Whether the last face of a lens would reflect much of the light if it were bare."""
-    optic = scene.optic
-    if not isinstance(optic, Lens):
-        return False
-    bare = optic.model_copy(update={"coating": None, "reflection": "fresnel"})
-    account = _account_of(scene.with_optic(bare), heights)
-    reflected = sum(
-        flux
-        for key, flux in account.lost.items()
-        if kind_and_element(key)[0] in ("fresnel_exit", "total_reflection")
-    )
-    return reflected > _STEEP * (reflected + account.arrived)
-
-
-def _account_of(scene: Scene, heights: Mapping[str, Tensor]) -> Account:
-    with torch.no_grad():
-        return BeamPlan(scene, _FEW_CELLS).trace(heights).account

@@ -1,5 +1,6 @@
 """How far an image is from the target, and what to say when that cannot be computed."""
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -11,11 +12,24 @@ from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.messages import Message
 from workbench.optics.account import Account, loss_of
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
-from workbench.scene import AnyReceiver, Scene
+from workbench.scene import AnyReceiver, Lens, Scene
+from workbench.scene.losses import kind_and_element
 
+# Cells that show where light goes.
+_CELLS = (128, 128)
 # Losses of a smaller part of the light are not named.
 _NAMED = 5e-4
+# Two faces close to a source are asked for so much more light than the first design sends: 67.1 %
+# of an LED 10 mm before a lens of 120 mm arrive with an error of 4.3 %, not 61.9 % with 3.3 %.
+_MORE_LIGHT = 1.05
+# From this part of the light on that an exit face reflects, it deflects near the critical angle; at
+# normal incidence it is 0.04. Light that is lost then counts by this factor in the error, or total
+# reflection would be the easiest cure for places that are too bright: an LED 10 mm before a lens of
+# 24 mm for a rectangle of 136° is 70 % off with 9 % of its light without it, and 65 % with 36 %.
+# With a factor of 5 it is 62 % off with 40 %, but a lens of 60 mm is 40 % off in place of 39 %.
+_STEEP, _LOST = 0.15, 2.0
 
 
 def share(target: Array) -> Array:
@@ -52,6 +66,42 @@ class AskedLight(NamedTuple):
     flux: float
     # By which the part of it that is missing counts in the error, beside that of the image.
     weight: float = 0.0
+
+
+def asked_light_of(scene: Scene, heights: Mapping[str, Tensor]) -> AskedLight | None:
+    """What a lens shall send to the receiver; None where what arrives is as good as any.
+
+    An image that is compared with as much light as arrives gets better by losing what is hard to
+    place. Two faces close to a source decide how much light comes through, and each face does that
+    deflects light by nearly as much as it can.
+    """
+    optic = scene.optic
+    near = optic.front_z - scene.alone.source.nearest_z < max(optic.half_width)
+    weight = _LOST if _reflects_much(scene, heights) else 0.0
+    if not weight and not (near and len(heights) > 1):
+        return None
+    arrived = _account_of(scene, heights).arrived
+    return AskedLight(_MORE_LIGHT * arrived, weight) if arrived else None
+
+
+def _reflects_much(scene: Scene, heights: Mapping[str, Tensor]) -> bool:
+    """Whether the last face of a lens would reflect much of the light if it were bare."""
+    optic = scene.optic
+    if not isinstance(optic, Lens):
+        return False
+    bare = optic.model_copy(update={"coating": None, "reflection": "fresnel"})
+    account = _account_of(scene.with_optic(bare), heights)
+    reflected = sum(
+        flux
+        for key, flux in account.lost.items()
+        if kind_and_element(key)[0] in ("fresnel_exit", "total_reflection")
+    )
+    return reflected > _STEEP * (reflected + account.arrived)
+
+
+def _account_of(scene: Scene, heights: Mapping[str, Tensor]) -> Account:
+    with torch.no_grad():
+        return BeamPlan(scene, _CELLS).trace(heights).account
 
 
 class Residual:

@@ -242,6 +242,9 @@ def check_paper(scene: Scene) -> None:
         )
     scene.check_one_image(Message("the paper's method"))
     scene.check_no_diffuser(Message("the paper's method"))
+    if scene.processes:
+        ideal = Message("the paper's method designs ideal elements; none, or method 'auto'")
+        raise Refused("processes", ideal)
     check_memory(scene)
 
 

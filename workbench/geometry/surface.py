@@ -95,6 +95,15 @@ class ControlNet:
         u, v = (greville(knots, p) for knots, p in zip(self.knots, self.degree, strict=True))
         return (2 * u - 1) * self.half_width[0], (2 * v - 1) * self.half_width[1]
 
+    @property
+    def spacing(self) -> tuple[float, float]:
+        """Widths of the knot spans along x and y, scene units."""
+        x, y = (
+            2 * r / (n - p)
+            for r, n, p in zip(self.half_width, self.shape, self.degree, strict=True)
+        )
+        return x, y
+
     def grid(self, u: Array, v: Array) -> GridBasis[Array]:
         """Basis values on the tensor grid of parameters u (m_x,) and v (m_y,) in [0, 1]."""
         (along_x, slope_x), (along_y, slope_y) = self._axes(u, v)

@@ -16,6 +16,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.compiled import unkept
 from workbench.errors import Refused
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.messages import Message
 from workbench.optics import ready
@@ -305,6 +306,11 @@ def device_of(scene: Scene) -> torch.device:
             Message("'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"),
         )
     return torch.device(scene.run.device)
+
+
+def arrays_of(heights: Mapping[str, Tensor]) -> ControlHeights:
+    """Control heights (n_u, n_v) of each freeform face out of their device and float type."""
+    return FaceArrays({k: each.detach().double().cpu().numpy() for k, each in heights.items()})
 
 
 def tensors_of(heights: Mapping[str, Array], scene: Scene) -> dict[str, Tensor]:

@@ -23,6 +23,8 @@ from workbench.scene.image import (
     wanted_images,
 )
 from workbench.scene.lens import Lens
+from workbench.scene.making.kinds import AnyProcess
+from workbench.scene.making.process import check_processes
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
 from workbench.scene.part import Kinds
@@ -125,6 +127,14 @@ class Scene(Train, SceneFile):
             "images, the same parts of each. They do not change the lens.",
         ),
     ] = ()
+    processes: Annotated[
+        tuple[AnyProcess, ...],
+        about(
+            "Manufacture",
+            "Steps by which the designed elements are made, in their order. Runs design for the "
+            "image as made, and checks trace it. Left empty, elements are ideal.",
+        ),
+    ] = ()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
 
     def check(self) -> None:
@@ -132,6 +142,7 @@ class Scene(Train, SceneFile):
         check_spectrum(self)
         check_elements(self)
         check_bends(self)
+        check_processes(self.processes, self.elements)
         self.source.measured_in(self.unit)
         if self.is_train:
             source, first = self.entrance
@@ -228,6 +239,11 @@ class Scene(Train, SceneFile):
         """The diffuser before the receivers, which can only be the last element."""
         last = self.elements[-1]
         return last if isinstance(last, Diffuser) else None
+
+    @property
+    def ideal(self) -> Self:
+        """The scene without processes: elements as designed."""
+        return self.model_copy(update={"processes": ()})
 
     def check_no_diffuser(self, who: str) -> None:
         """Refuse a diffuser, as `check_one_image` refuses several images."""

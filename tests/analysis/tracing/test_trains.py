@@ -9,7 +9,6 @@ import pytest
 import torch
 
 from resources import path
-from workbench.analysis.cut_lens import tracing_cut
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.focus import screen_at, with_screen_at
 from workbench.analysis.shading import shading_of
@@ -24,13 +23,11 @@ from workbench.design.session import Session
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import open_design, write_session
-from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.faces import FaceArrays
-from workbench.geometry.outlines import Ellipse, Rectangle, outline_of
+from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.geometry.surface import nets_of
 from workbench.optics.account import Account
 from workbench.optics.plan import Plan, tensors_of
-from workbench.progress import finished
 from workbench.scene import ConicFace, Scene
 
 N = 1.5
@@ -305,22 +302,6 @@ class TestChecksOfTrains:
         folded = open_design(path("examples", "fold-mirror.json")).scene
         with pytest.raises(Refused, match="light comes to the screen across the z axis"):
             with_screen_at(folded, 10.0)
-
-    def test_a_cut_plate_of_a_train_is_traced(self):
-        scene = scene_of(COLLIMATED, list(self.elements), half_width=2.0)
-        target = np.ones((16, 16))
-        target[4:12, 4:12] = 3.0
-        face = scene.optic.designed_face
-        net = nets_of(scene)[face]
-        cut = CutFace(net, flat(scene)[face], outline_of(scene.optic))
-        raster = finished(cut.plan_raster(0.5, 1e-5, 10**6))
-        found = finished(tracing_cut(scene, flat(scene), target, raster, 60_000))
-        lit = np.zeros((16, 16))
-        lit[4:12, 4:12] = 1 / 64
-        wanted = target / target.sum()
-        error = np.linalg.norm(lit - wanted) / np.linalg.norm(wanted)
-        assert found.designed.distance == pytest.approx(error, abs=3 * found.designed.off + 1e-9)
-        assert found.cut.distance == pytest.approx(error, abs=0.03)
 
     @pytest.mark.parametrize("face", ["first.back", "second.back"])
     def test_a_derivative_map_of_a_train_is_a_difference(self, rng, face):

@@ -15,6 +15,7 @@ from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
+from workbench.geometry.as_made import scatterer_of
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import nets_of
 from workbench.progress import Steps, of_equal, within
@@ -66,10 +67,10 @@ def imaging(
     error of the finer one. The factor comes from three levels and is at most 4 (second order).
 
     A level has at most 16 rays for each of ``random_rays``, or 8 million, and at most 67 million.
-    Returns None if three levels need more, if a diffuser scatters the light, or if no cell has
+    Returns None if three levels need more, if something scatters the light, or if no cell has
     light on the receiver. Raises `Refused` if the lens is no solid body or may touch the screen.
     """
-    if scene.diffuser is not None:
+    if scatterer_of(scene) is not None:
         return None
     levels = Levels(scene, heights, pose)
     if not levels.possible:

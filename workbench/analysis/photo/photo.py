@@ -33,6 +33,7 @@ from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array, Mask
 from workbench.errors import RunFailed
+from workbench.geometry.as_made import scatterer_of
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.messages import Message
@@ -201,7 +202,7 @@ class _Tracer:
 
     def trace(self, scene: Scene) -> Steps[Array]:
         """Part of the emitted flux in each pixel, (n_y, n_x)."""
-        levels = None if scene.diffuser is not None else Levels(scene, self._heights)
+        levels = None if scatterer_of(scene) is not None else Levels(scene, self._heights)
         self.by_cells = levels is not None and levels.possible
         self._traced += 1
         if levels is None or not levels.possible:

@@ -23,10 +23,10 @@ from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces.fixed import FlatFace, fixed_surface
-from workbench.analysis.tracing.surfaces.placed import CutSurface, MovedFace, PlacedSurface
+from workbench.analysis.tracing.surfaces.placed import MovedFace, PlacedSurface, ReliefFace
 from workbench.analysis.tracing.surfaces.spline import FrontFace, LaterFace, SplineFace
 from workbench.arrays import Array
-from workbench.geometry.ball_cutter import Raster
+from workbench.geometry.as_made import AsMade
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Diffuser, Element, Lens, Mirror, Scene
@@ -89,17 +89,18 @@ class OpticalTrain:
         seed: int,
         pose: Pose,
         receivers: Sequence[AnyReceiver],
-        cut: Raster | None = None,
     ) -> "OpticalTrain":
         """Make the train of a scene with receivers of one kind; for the parameters see `Trace`.
 
-        ``cut`` is what a cutter leaves of the exit face of the last designed element.
+        Designed elements are as their processes leave them.
         Raises `Refused` if one of several elements is out of its place, or a receiver may touch the
         last one.
         """
         if pose != Pose():
             scene.check_one_element("a check of an element out of its place")
         check_receivers(scene, receivers)
+        made = AsMade.of(scene)
+        scene, heights = made.scene, made.heights(heights)
         elements = [element.lit(scene.source.wavelength) for element in scene.elements]
         first = elements[0]  # all light passes its aperture, in whose coordinates it is followed
         turn, aperture = _turn(first), _place(first, first.front_z)
@@ -114,9 +115,8 @@ class OpticalTrain:
                 own = _DESIGNED[type(element)](element, heights, pose, stands)
             else:
                 own = _FIXED[type(element)](element, stands)
-            if cut is not None and number == scene.designed_number:
-                *before, (face, boundary) = own
-                own = [*before, (CutSurface(face, cut, element.front_z), boundary)]
+            if designed and made.reliefs:
+                own = _with_reliefs(element, own, made)
             place = _place(element, element.front_z if designed else element.position[2])
             relative = np.eye(3) if number == 0 else turn.T @ own_turn
             faces += _placed(own, relative, (place - aperture) @ turn, max(element.half_width))
@@ -197,6 +197,19 @@ class _Stands(NamedTuple):
 
     first: bool
     turned: bool
+
+
+def _with_reliefs(
+    element: Element, faces: Sequence[tuple[TracedFace, Boundary]], made: AsMade
+) -> Sequence[tuple[TracedFace, Boundary]]:
+    """Faces of a designed element with the relief of manufacture on its freeform faces."""
+    freeform = freeform_nets(element)
+    return [
+        (ReliefFace(face, made.reliefs, element.outwards(placed.name)), boundary)
+        if placed.name in freeform
+        else (face, boundary)
+        for placed, (face, boundary) in zip(element.placed_faces, faces, strict=True)
+    ]
 
 
 def _turn(element: Element) -> Array:

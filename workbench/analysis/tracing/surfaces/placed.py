@@ -1,4 +1,6 @@
-"""Faces that stand elsewhere, or are cut otherwise, than their shape says."""
+"""Faces that stand elsewhere, or have other normals, than their shape says."""
+
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -7,8 +9,8 @@ from workbench.analysis.tracing.elements import Crossings, TracedFace, TracedRay
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.surfaces.spline import SplineFace
 from workbench.arrays import Array
-from workbench.geometry.ball_cutter import Raster
 from workbench.scene import Lens
+from workbench.scene.making.relief import FacePlaces, Relief
 
 # Steps back along a ray, over the size of the element, by rounding.
 _BACK = 1e-9
@@ -95,30 +97,42 @@ class MovedFace(SplineFace):
         return rays._replace(position=place, direction=rays.direction @ self._turn)
 
 
-_STEPS = 3  # from the face that was to be cut onto what was: they are closer than ridges are wide
+class ReliefFace:
+    """A designed face with the relief that manufacture adds to it; a `TracedFace`.
 
+    Relief turns normals; it is too low to change where rays meet the face. x and y are those of
+    the element.
 
-class CutSurface:
-    """What a cutter leaves of the last face of a lens; a `TracedFace`.
-
-    `designed`: the face that was to be cut; `raster`: the cuts; z in scene units; `front_z`: where
-    the plane is from which rays count z.
+    `face`: the face without relief; `reliefs`: each with the rms width by which later steps smooth
+    it; `outward`: 1 if it is seen from +z, -1 from -z.
     """
 
-    def __init__(self, designed: TracedFace, raster: Raster, front_z: float) -> None:
-        self.missed = designed.missed
-        self._designed, self._raster, self._front_z = designed, raster, front_z
+    def __init__(
+        self,
+        face: TracedFace,
+        reliefs: Sequence[tuple[Relief, float]],
+        outward: int,
+    ) -> None:
+        self.missed = face.missed
+        self._face, self._reliefs, self._outward = face, reliefs, outward
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays meet it; see `TracedFace.meet`."""
-        found = self._designed.meet(rays)
-        place = found.position.copy()
-        for _ in range(_STEPS):
-            height, normal = self._raster.cut(*place[:, :2].T)
-            along = (height - self._front_z - place[:, 2]) / rays.direction[:, 2]
-            place += along[:, None] * rays.direction
-        return found._replace(position=place, normal=normal)
+        found = self._face.meet(rays)
+        lit = found.flux > 0
+        normal, (x, y) = found.normal[lit], found.position[lit, :2].T
+        slope_x, slope_y = -normal[:, 0] / normal[:, 2], -normal[:, 1] / normal[:, 2]
+        sign = self._outward
+        places = FacePlaces(x, y, sign * slope_x, sign * slope_y)
+        for relief, smoothing in self._reliefs:
+            more_x, more_y = relief.slopes(places, smoothing)
+            slope_x, slope_y = slope_x + sign * more_x, slope_y + sign * more_y
+        turned = np.stack([-slope_x, -slope_y, np.ones_like(slope_x)], axis=1)
+        turned /= np.linalg.norm(turned, axis=1, keepdims=True) * np.sign(normal[:, 2:])
+        normals = found.normal.copy()
+        normals[lit] = turned
+        return found._replace(normal=normals)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
-        """Where rays come back to the face that was to be cut; see `TracedFace.met_again`."""
-        return self._designed.met_again(rays, onwards)
+        """See `TracedFace.met_again`; relief plays no part."""
+        return self._face.met_again(rays, onwards)

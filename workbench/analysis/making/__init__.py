@@ -1,0 +1,1 @@
+"""The lens as made: errors by process, and plans for a shop."""
