@@ -13,7 +13,13 @@ from ui.panels.elements import ElementsPanel
 from ui.panels.entries import Entries, Waiting, row_of
 from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel
 from ui.panels.panel import Panel, PartPanel
-from ui.panels.scene import RunPanel, ScenePanel, SourcePanel, StagesPanel
+from ui.panels.scene import (
+    ProcessesPanel,
+    RunPanel,
+    ScenePanel,
+    SourcePanel,
+    StagesPanel,
+)
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -64,7 +70,8 @@ class Forms(FormArea):
         self._source = SourcePanel(parts["source"])
         self._images = ImagesPanel(parts["images"])
         regions = RegionsPanel(parts["regions"])
-        for panel in (self._images, regions):
+        processes = ProcessesPanel(parts["processes"])
+        for panel in (self._images, regions, processes):
             panel.unfold(False)
         return [
             ScenePanel(),
@@ -76,6 +83,7 @@ class Forms(FormArea):
             PartPanel(parts["filter"]),
             self._images,
             regions,
+            processes,
             StagesPanel(),
         ]
 

@@ -24,7 +24,12 @@ from workbench.scene import (
     Scene,
     Stage,
 )
+from workbench.scene.making.milling import Milling
+from workbench.scene.making.polishing import Polishing
+from workbench.scene.making.process import Process
 from workbench.scene.part import title_of
+
+_PROCESSES: tuple[type[Process], ...] = (Milling, Polishing)
 
 
 class ScenePanel(Panel):
@@ -198,3 +203,44 @@ class StagesPanel(ListedPanel[Stage]):
             return made
 
         return [ChoiceRow(field, path, otherwise=tr(_AS_THE_SCENE), changes=changes)]
+
+
+class ProcessesPanel(ListedPanel[Process]):
+    """Bound to ``scene.processes``."""
+
+    def __init__(self, field: FieldDescription) -> None:
+        self._field = field
+        super().__init__(
+            tr(field.title),
+            field,
+            "processes",
+            tr("process"),
+            {
+                tr(title_of(kind)): tr("Add {process} behind the others").format(
+                    process=in_sentence(tr(title_of(kind)))
+                )
+                for kind in _PROCESSES
+            },
+        )
+
+    def parts_of(self, scene: Scene) -> tuple[Process, ...]:
+        return scene.processes
+
+    def remark(self, scene: Scene) -> str:
+        return "" if scene.processes else tr("None: elements are as designed.")
+
+    def new(self, which: int) -> Process:
+        kind = _PROCESSES[which]
+        return kind.model_validate(kind.defaults_for(self.session.scene))
+
+    def summary(self, part: Process) -> str:
+        return tr(title_of(type(part)))
+
+    def name_of(self, number: int) -> str:
+        return tr("Process {number}").format(number=number + 1)
+
+    def rows_of(self, number: int) -> list[Row]:
+        kinds = self._field.mark(Kinds)
+        assert kinds is not None  # they are of several kinds
+        rows = Rows(lambda: self.session.scene, {})
+        return rows.of_kinds(self._field, kinds, f"processes[{number}]", tr("Process"))

@@ -18,6 +18,7 @@ from workbench.cli.parser import (
     count,
     distances,
     length,
+    positive,
     ranged,
     rays,
     stops,
@@ -152,6 +153,57 @@ def _run_manufacture(options: argparse.Namespace) -> None:
         options.min_tool_radius,
     )
     manufacture(options.session, limits, options.plot, options.json)
+
+
+def add_plan(commands: Any) -> None:
+    """Add ``freeform plan``."""
+    parser = add_verb(
+        commands,
+        "plan",
+        "Find the cheapest way to mill and polish the lens of a session: step-over and width of "
+        "polishing for a wanted error as made. Lengths are in the scene's unit.",
+        [
+            "plan plate.freeform",
+            "plan plate.freeform --error 6 --ball 1.5 -o milled.freeform",
+        ],
+        _run_plan,
+    )
+    add_session(parser)
+    parser.add_argument(
+        "--error",
+        metavar="PERCENT",
+        type=positive,
+        help="wanted error as made [1.1 times that as designed]",
+    )
+    parser.add_argument(
+        "--ball", metavar="LENGTH", type=length, help="radius of the ball cutter [one that fits]"
+    )
+    parser.add_argument(
+        "--feed", metavar="MM/MIN", type=positive, default=PLAIN.feed, help="default %(default)s"
+    )
+    parser.add_argument(
+        "--polish-time",
+        metavar="MIN",
+        type=positive,
+        default=0.2,
+        help="minutes for each cm² to polish over 0.1 mm; default %(default)s, an assumption",
+    )
+    parser.add_output(
+        "-o",
+        dest="output",
+        metavar="OUT.freeform",
+        help="session whose lens is made by the cheapest plan",
+    )
+    add_json(parser)
+
+
+def _run_plan(options: argparse.Namespace) -> None:
+    from workbench.analysis.making.plan import ShopRates
+    from workbench.cli.plan import plan
+
+    wanted = None if options.error is None else options.error / 100
+    rates = ShopRates(options.feed, options.polish_time)
+    plan(options.session, options.ball, wanted, rates, options.output, options.json)
 
 
 def add_export(commands: Any) -> None:

@@ -119,6 +119,17 @@ class WideImage:
         with torch.no_grad():
             return self._step(heights, self._trace(heights))
 
+    def light(self, heights: Mapping[str, Tensor]) -> Tensor:
+        """Light (n_y + 2 m_y, n_x + 2 m_x) in the pixels of the wide image, without gradients."""
+        with torch.no_grad():
+            return self._trace(heights).flux
+
+    def error_of(self, light: Tensor) -> float:
+        """Relative L2 error of a wide image on the receiver."""
+        on_screen = light[self._on_screen]
+        loss = paper_loss(on_screen, self._share.to(light), self._relative.to(light)).item()
+        return float(loss * on_screen.numel() ** 0.5 / self._share.norm().item())
+
     def _trace(self, heights: Mapping[str, Tensor]) -> Light:
         made = heights if self._made is None else self._made.tensors(heights)
         return self._plan.trace(made, self._margin)

@@ -1,7 +1,7 @@
 """What the relief of manufacture makes of an image: a convolution by the slopes it adds."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -11,7 +11,8 @@ from workbench.geometry.as_made import AsMade
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
-from workbench.scene.making.relief import FacePlaces
+from workbench.scene import Scene
+from workbench.scene.making.relief import FacePlaces, Relief
 
 _PLACES = 200_000  # of each face
 # Of light that goes farther, the distance does not count; and less than this, in pixels, is no
@@ -21,42 +22,55 @@ _NEARLY_ALL, _UNSEEN = 0.9995, 0.05
 _DISC = 3.6
 
 
-def relief_blur_of(made: AsMade, heights: Mapping[str, Array]) -> ImageBlur | None:
-    """Return the blur by the relief of a lens as made, the same for all of its image.
+class ReliefBlurs:
+    """Blurs by reliefs of a lens, each the same for all of its image.
 
-    `heights` (n_u, n_v): control heights as made. Returns None where there is nothing to see.
+    `scene`: without processes; `heights` (n_u, n_v): control heights as made.
     """
-    if not made.reliefs:
-        return None
-    receiver = made.scene.receiver
-    x, y = shifts = np.zeros((2, _PLACES))
-    for focused in made.scene.focused:
-        element, seen = focused.optic, focused.alone.receiver
-        sizes = zip(seen.per_radian(element.leaving_z), seen.pixels, seen.half_extent, strict=True)
-        pixels = [element.deflection * far * n / (2 * half) for far, n, half in sizes]
-        a, b = np.random.default_rng(0).random((2, _PLACES))
-        at = outline_of(element).evenly(a, b)
-        for face, net in freeform_nets(element).items():
-            sign = element.outwards(face)
-            _, slope_x, slope_y = net.at(*at, heights[face])
-            places = FacePlaces(*at, sign * slope_x, sign * slope_y)
-            for relief, smoothing in made.reliefs:
-                for shift, far, more in zip(
-                    shifts, pixels, relief.slopes(places, smoothing), strict=True
-                ):
-                    shift += far * more
-    far_x, far_y = (float(np.quantile(np.abs(shift), _NEARLY_ALL)) for shift in shifts)
-    widths = x.std(), y.std()
-    if max(widths) < _UNSEEN:
-        return None
-    n_x, n_y = receiver.pixels
-    m_x, m_y = (min(math.ceil(far), n) + 1 for far, n in ((far_x, n_x), (far_y, n_y)))
-    kernel = _shared_among_pixels(x, -y, (m_x, m_y))
-    blurred = _DISC * float(widths[0]), _DISC * float(widths[1])
-    note = Message(
-        "relief of manufacture blurs it over {x:.3g} × {y:.3g} pixels", x=blurred[0], y=blurred[1]
-    )
-    return ImageBlur(kernel[None, None], np.zeros((0, 1, 1)), (1.0, 1.0), blurred, note)
+
+    def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
+        self._pixels = scene.receiver.pixels
+        # Of each face: pixels that light moves by a slope of 1, how it is seen, and places of it.
+        self._faces: list[tuple[tuple[float, float], FacePlaces]] = []
+        for focused in scene.focused:
+            element, seen = focused.optic, focused.alone.receiver
+            far = seen.per_radian(element.leaving_z)
+            x, y = (
+                element.deflection * each * n / (2 * half)
+                for each, n, half in zip(far, seen.pixels, seen.half_extent, strict=True)
+            )
+            a, b = np.random.default_rng(0).random((2, _PLACES))
+            at = outline_of(element).evenly(a, b)
+            for face, net in freeform_nets(element).items():
+                sign = element.outwards(face)
+                _, slope_x, slope_y = net.at(*at, sign * heights[face])
+                self._faces.append(((x, y), FacePlaces(*at, slope_x, slope_y)))
+
+    def blur(self, reliefs: Sequence[tuple[Relief, float]]) -> ImageBlur | None:
+        """The blur by reliefs, each smoothed by a width; None where there is nothing to see."""
+        x, y = np.zeros((2, _PLACES))
+        for (far_x, far_y), places in self._faces:
+            for relief, smoothing in reliefs:
+                slope_x, slope_y = relief.slopes(places, smoothing)
+                x += far_x * slope_x
+                y += far_y * slope_y
+        widths = _DISC * float(x.std()), _DISC * float(y.std())
+        if max(widths) < _DISC * _UNSEEN:
+            return None
+        farthest = (float(np.quantile(np.abs(shift), _NEARLY_ALL)) for shift in (x, y))
+        m_x, m_y = (
+            min(math.ceil(far), n) + 1 for far, n in zip(farthest, self._pixels, strict=True)
+        )
+        kernel = _shared_among_pixels(x, -y, (m_x, m_y))
+        note = Message(
+            "relief of manufacture blurs it over {x:.3g} × {y:.3g} pixels", x=widths[0], y=widths[1]
+        )
+        return ImageBlur(kernel[None, None], np.zeros((0, 1, 1)), (1.0, 1.0), widths, note)
+
+
+def relief_blur_of(made: AsMade, heights: Mapping[str, Array]) -> ImageBlur | None:
+    """Return the blur by the relief of a lens as made; None where there is nothing to see."""
+    return ReliefBlurs(made.scene, heights).blur(made.reliefs) if made.reliefs else None
 
 
 def _shared_among_pixels(x: Array, y: Array, margin: tuple[int, int]) -> Array:

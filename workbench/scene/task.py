@@ -8,7 +8,7 @@ from pydantic import Field
 from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
-from workbench.levels import EXPERT
+from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
 from workbench.scene import limits
 from workbench.scene.element import Element
@@ -129,6 +129,7 @@ class Scene(Train, SceneFile):
     ] = ()
     processes: Annotated[
         tuple[AnyProcess, ...],
+        LIMITS,
         about(
             "Manufacture",
             "Steps by which the designed elements are made, in their order. Runs design for the "

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from scipy.special import ndtr
 
 from workbench.arrays import Array
 
@@ -86,6 +85,8 @@ def sawtooth(phase: Array, smoothing: float) -> Array:
         return 2 * part - 1
     if smoothing >= 1:
         return np.zeros_like(part)
+    from scipy.special import ndtr  # slow import
+
     steps = sum(ndtr((part - j) / smoothing) - (j <= 0) for j in _STEPS)
     return np.asarray(2 * (part - steps) - 1)
 

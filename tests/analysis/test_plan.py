@@ -1,0 +1,60 @@
+"""Plans of a shop: step-over and polishing for a wanted error as made."""
+
+import numpy as np
+import pytest
+
+from tests.scenes import changed
+from workbench.analysis.making.as_made import tracing_made
+from workbench.analysis.making.plan import ShopRates, fitting_ball, planning
+from workbench.design.run import run
+from workbench.errors import Refused
+from workbench.progress import finished
+from workbench.scene import Scene
+
+
+@pytest.fixture(scope="module")
+def plate():
+    small = {"lens.control_points": [40, 40], "screen.pixels": [40, 40]}
+    scene = Scene.from_data(changed(small))
+    target = np.full((40, 40), 0.2)
+    target[8:32, 10:16] = target[26:32, 16:30] = 1.0
+    *_, last = run(scene, target)
+    return scene, target, last.state.heights
+
+
+def test_the_check_finds_what_the_cheapest_plan_promises(plate):
+    scene, target, heights = plate
+    found = finished(planning(scene, target, heights, 0.1, 0.05, rays=200_000))
+    minutes = [plan.minutes for plan in found.plans]
+    assert minutes == sorted(minutes)
+    plan = found.plans[0]
+    made = scene.altered(processes=plan.processes)
+    error = finished(tracing_made(made, target, heights, rays=1_000_000))[-1].error
+    assert error.distance == pytest.approx(plan.error, rel=0.03)
+    assert error.distance < 1.03 * found.wanted
+
+
+def test_polishing_pays_where_it_is_cheap(plate):
+    scene, target, heights = plate
+    cheap, dear = (
+        finished(
+            planning(scene, target, heights, 0.1, 0.05, ShopRates(polishing=rate), rays=200_000)
+        ).plans[0]
+        for rate in (1e-6, 1e6)
+    )
+    assert cheap.polishing is not None
+    assert dear.polishing is None or dear.polishing.width < cheap.polishing.width
+    assert cheap.milling.step_over > dear.milling.step_over
+
+
+def test_what_cannot_be_reached_is_refused_with_what_can_be(plate):
+    scene, target, heights = plate
+    with pytest.raises(
+        Refused, match=r"error: 0\.01 % as made is not reached .* more than [\d.]+ % may be"
+    ):
+        finished(planning(scene, target, heights, 0.1, wanted=1e-4))
+
+
+def test_the_ball_fits(plate):
+    scene, _, heights = plate
+    assert 0 < fitting_ball(scene, heights) <= 0.5
