@@ -166,7 +166,9 @@ def planning(
     )
 
 
-def _checked(scene: Scene, heights: Mapping[str, Array], target: Array) -> Steps[CorrectedDistance]:
+def _checked(
+    scene: Scene, heights: Mapping[str, Array], target: Array, rays: int
+) -> Steps[CorrectedDistance]:
     steps = tracing_independently(scene, heights, target, _ACCURACY, random_rays=rays)
     return (yield from steps).unscattered
 
