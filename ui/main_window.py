@@ -27,7 +27,8 @@ from ui.files.actions import Answer, FileActions, RecentFiles
 from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskCutting
-from ui.run.control import CurrentLens
+from ui.manufacture.plan import PlanDialog
+from ui.run.control import NO_LENS, CurrentLens
 from ui.window.docks import EarlyParts
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
 from ui.window.layouts import Layouts
@@ -267,6 +268,7 @@ class MainWindow(QMainWindow):
                 "save_as": lambda: self._save(self.files.save_as),
                 "export": lambda: self._commit_and(self.exporter.choose_and_export),
                 "cut": lambda: self._commit_and(self.exporter.choose_and_cut),
+                "plan": lambda: self._commit_and(self._plan),
                 "report": lambda: self._commit_and(self.reporter.choose_and_report),
                 "sweep": self._sweep,
                 "new_window": self.new_window_asked.emit,
@@ -334,6 +336,15 @@ class MainWindow(QMainWindow):
             self.sweep.open_asked.connect(self._open)
             self.early.shelf.follow(self.sweep.background)
         self.sweep.show_design()
+
+    def _plan(self) -> None:
+        session = self._lens.session
+        if session is None:
+            self.messages.note(tr(NO_LENS))
+            return
+        dialog = PlanDialog(session, self.forms.edit, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()

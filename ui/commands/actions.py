@@ -49,6 +49,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "export",
         "cut",
+        "plan",
         "report",
         None,
         "close",

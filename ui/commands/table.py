@@ -78,6 +78,10 @@ COMMANDS = {
         "&Export…", "Write the {optic} or its rays for other programs", "Ctrl+E", "export"
     ),
     "cut": Command("Cu&t with a ball cutter…", "Simulate a finishing pass and write it as G-code"),
+    "plan": Command(
+        "P&lan milling and polishing…",
+        "Find step-over and polishing for a wanted error as made, with the least time",
+    ),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures as a report (HTML, PDF)", "Ctrl+R"
     ),

@@ -47,7 +47,7 @@ class LoadedParts(QObject):
         document, there, messages = early.document, early.panes, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
-        making = [early.commands[name] for name in ("export", "cut", "report")]
+        making = [early.commands[name] for name in ("plan", "export", "cut", "report")]
         self.manufacture, self.tolerances = ManufacturePane(settings, making), TolerancePane()
         panes: dict[str, View] = {"manufacture": self.manufacture, "tolerances": self.tolerances}
         self.views = views = Views(self, panes)

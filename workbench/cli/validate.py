@@ -12,6 +12,7 @@ from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series, with_screen_at
 from workbench.analysis.light_limit import light_limits
 from workbench.analysis.making.as_made import MadeStep, tracing_made
+from workbench.analysis.making.robust import ExpectedError, expected_error
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
@@ -25,6 +26,7 @@ from workbench.files.session import read_session
 from workbench.progress import finished
 from workbench.scene import AnyReceiver, Scene
 from workbench.scene.losses import kind_and_element
+from workbench.scene.making.uncertainty import Uncertainty
 
 
 def validate(
@@ -59,6 +61,7 @@ def validate(
     with closing(PartProgress("check")) as progress:
         found = compute_check(*task, accuracy=ACCURACY, progress=progress.show)
     steps = _as_made(scene, session.target, result.state.heights, rays // 4)
+    expected = _expected(scene, session.target, result.state.heights)
     # The optimiser's image is on the receiver of the scene.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
@@ -73,6 +76,7 @@ def validate(
             figures["relative_l2_bound"] = bound.relative_l2
         figures["light_limits"] = [limit.to_data() for limit in limits]
         further = {
+            "expected": expected and expected.to_data(),
             "as_made": [step.to_data() for step in steps],
             "cross_check": compared and compared.to_data(),
             "through_focus": [each.to_data() for each in series],
@@ -84,6 +88,7 @@ def validate(
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         print(f"{'light, at most':<18}{most}  (with any lens)")
         _print_made(steps)
+        _print_expected(expected)
         if compared:
             _print_compared(compared)
         if series:
@@ -220,6 +225,20 @@ def _as_made(
         return ()
     with closing(PartProgress("as made")) as progress:
         return finished(tracing_made(scene, target, heights, rays=rays), progress.show)
+
+
+def _expected(scene: Scene, target: Array, heights: Mapping[str, Array]) -> ExpectedError | None:
+    if scene.uncertainty == Uncertainty():
+        return None
+    return expected_error(scene, target, heights)
+
+
+def _print_expected(found: ExpectedError | None) -> None:
+    if found is not None:
+        print(
+            f"\n{'mean error':<18}{found.mean:.5f}  (over {found.cases} set-ups, as a run sees "
+            f"them; exact {found.exact:.5f}, worst {found.worst:.5f})"
+        )
 
 
 def _print_made(steps: Sequence[MadeStep]) -> None:

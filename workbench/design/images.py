@@ -18,6 +18,7 @@ from workbench.extended.blurring import ImageBlur, convolved
 from workbench.extended.deblur import wanted_light
 from workbench.geometry.as_made import AsMade
 from workbench.geometry.surface import nets_of
+from workbench.messages import Message
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
 from workbench.optics.samples import Corners
@@ -174,7 +175,7 @@ class SeveralImages:
     those of all images; see `WideImage`.
     """
 
-    def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:
+    def __init__(self, images: Sequence["AnyImage"], wanted: Sequence[WantedImage]) -> None:
         self._images = images
         total = sum(image.weight for image in wanted)
         self._weights = [image.weight / total for image in wanted]
@@ -182,11 +183,11 @@ class SeveralImages:
         self._units = [
             float(np.linalg.norm(share(image.target))) / image.target.size**0.5 for image in wanted
         ]
-        self.effort = sum(image.effort for image in images)
-        self.blurred = any(image.blurred for image in images)
-        self.rays = all(image.rays for image in images)
+        self.effort: float = sum(image.effort for image in images)
+        self.blurred: bool = any(image.blurred for image in images)
+        self.rays: bool = all(image.rays for image in images)
         x, y = (min(widths) for widths in zip(*(i.blur_widths for i in images), strict=True))
-        self.blur_widths = x, y
+        self.blur_widths: tuple[float, float] = x, y
 
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """Errors of all images in a row, and the step to report; see `WideImage.compare`."""
@@ -214,6 +215,23 @@ class SeveralImages:
         return Step(
             replace(first, loss=loss, further=further), steps[0].notes, math.inf if dark else None
         )
+
+
+class ExpectedImage(SeveralImages):
+    """Compares lenses by their errors in several cases of a set-up, of which the first is shown.
+
+    The square of its error is the mean of the squares of theirs.
+    """
+
+    def _joined(self, steps: Sequence[Step]) -> Step:
+        expected = super()._joined(steps)
+        merit = expected.state.loss if expected.merit is None else expected.merit
+        note = Message(
+            "mean error over {count} set-ups {error:.2f} %",
+            count=len(steps),
+            error=100 * expected.state.loss / self._units[0],
+        )
+        return steps[0]._replace(merit=merit, notes=(*steps[0].notes, note))
 
 
 AnyImage = WideImage | SeveralImages

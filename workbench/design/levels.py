@@ -11,7 +11,7 @@ from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 
 from workbench.arrays import Array
 from workbench.design.fitted_blur import directions_at_receiver, lens_blur_of
-from workbench.design.images import AnyImage, SeveralImages, WideImage
+from workbench.design.images import AnyImage, ExpectedImage, SeveralImages, WideImage
 from workbench.design.loss import asked_light_of
 from workbench.extended.relief_blur import relief_blur_of
 from workbench.extended.scattering import film_scene, scattering_of
@@ -187,7 +187,7 @@ def finest_image(
     `heights` (n_u, n_v): control heights of that lens; they say how far its light falls and how it
     is blurred.
     """
-    return _images(fine_level(scene), scene, target, heights, mirrored)
+    return _expected(fine_level(scene), scene, target, heights, mirrored)
 
 
 def judging_image(
@@ -229,6 +229,22 @@ def _images(
     wanted = scene.wanted(target)
     images = [_image_of(level, image, heights, mirrored) for image in wanted]
     return images[0] if len(images) == 1 else SeveralImages(images, wanted)
+
+
+def _expected(
+    level: Level,
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Tensor],
+    mirrored: tuple[bool, bool],
+) -> AnyImage:
+    """Images of all cases that the scene's uncertainty asks for."""
+    (exact, _), *others = cases = scene.uncertainty.cases(scene)
+    images = [_images(level, exact, target, heights, mirrored)]
+    if not others:
+        return images[0]
+    images += [_images(level, case, target, heights, (False, False)) for case, _ in others]
+    return ExpectedImage(images, [WantedImage(case, target, share) for case, share in cases])
 
 
 def _image_of(

@@ -31,6 +31,7 @@ from workbench.geometry.surface import ControlNet, nets_of
 from workbench.messages import Message
 from workbench.optics.plan import Plan, device_of
 from workbench.scene import Run, Scene
+from workbench.scene.making.uncertainty import Uncertainty
 
 
 class FilteredImage:
@@ -242,9 +243,13 @@ def check_paper(scene: Scene) -> None:
         )
     scene.check_one_image(Message("the paper's method"))
     scene.check_no_diffuser(Message("the paper's method"))
-    if scene.processes:
-        ideal = Message("the paper's method designs ideal elements; none, or method 'auto'")
-        raise Refused("processes", ideal)
+    for name, given in (
+        ("processes", scene.processes),
+        ("uncertainty", scene.uncertainty != Uncertainty()),
+    ):
+        if given:
+            exact = Message("the paper's method designs for the exact set-up; method 'auto'")
+            raise Refused(name, exact)
     check_memory(scene)
 
 

@@ -25,6 +25,7 @@ from workbench.scene.image import (
 from workbench.scene.lens import Lens
 from workbench.scene.making.kinds import AnyProcess
 from workbench.scene.making.process import check_processes
+from workbench.scene.making.uncertainty import Uncertainty
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
 from workbench.scene.part import Kinds
@@ -136,6 +137,15 @@ class Scene(Train, SceneFile):
             "image as made, and checks trace it. Left empty, elements are ideal.",
         ),
     ] = ()
+    uncertainty: Annotated[
+        Uncertainty,
+        LIMITS,
+        about(
+            "Uncertainty",
+            "Standard deviations of the set-up that is built. Runs then lower the mean error over "
+            "them, and not that of the exact set-up alone.",
+        ),
+    ] = Uncertainty()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
 
     def check(self) -> None:

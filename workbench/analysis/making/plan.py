@@ -20,7 +20,6 @@ from workbench.design.levels import finest_image
 from workbench.errors import Refused
 from workbench.extended.blurring import convolved_in_place
 from workbench.extended.relief_blur import ReliefBlurs
-from workbench.files.export.options import PLAIN
 from workbench.geometry.as_made import AsMade
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import outline_of
@@ -50,7 +49,7 @@ _TURN = 1.0  # seconds from one pass to the next
 class ShopRates:
     """What times of a plan are computed with."""
 
-    feed: float = PLAIN.feed  # mm/min of the finishing cut
+    feed: float = 600.0  # mm/min of the finishing cut, as that of exports
     # Minutes for each cm² to polish over a width of 0.1 mm; the time grows with the square of the
     # width. No measured figure: enter that of the shop.
     polishing: float = 0.2

@@ -1,0 +1,148 @@
+"""Dialog of a shop's plans: step-over and polishing for a wanted error as made."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.background import Background, Task
+from ui.panels.edits import Edit
+from ui.widgets.controls import Table, filled
+from ui.widgets.labels import WrappedLabel
+from ui.words import later, tr
+from workbench.powers import written
+
+if TYPE_CHECKING:
+    from workbench.analysis.making.plan import ShopPlan, ShopPlans
+    from workbench.files.session import Session
+
+_COLUMNS = later(("Step-over", "Scallop", "Polish over", "Error as made", "Minutes"))
+_ABOUT = later(
+    "Milling leaves scallops, and polishing removes them and fine details of the lens. These plans "
+    "reach the wanted error; the first takes the least time and is verified by random rays."
+)
+_ROWS = 12  # lines of text that the table is at least high
+_POLISHING = 0.2  # minutes for each cm² and 0.1 mm, as `ShopRates` assumes
+
+
+class PlanDialog(QDialog):
+    """Finds plans for a lens; ``choose`` gets the edit that makes the lens by one of them."""
+
+    def __init__(
+        self, session: "Session", choose: Callable[[Edit], object], window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self.setWindowTitle(tr("Plan milling and polishing"))
+        self._session, self._choose = session, choose
+        self._plans: tuple[ShopPlan, ...] = ()
+        unit = session.scene.unit
+        self.error = self._number(0.0, 100.0, 0.1, " %", tr("1.1 times the error as designed"))
+        self.radius = self._number(0.0, 1e6, 0.1, f" {unit}", tr("one that fits"))
+        self.polishing = self._number(0.0, 1e3, 0.1, tr(" min"), "")
+        self.polishing.setMinimum(0.01)
+        self.polishing.setValue(_POLISHING)
+        form = QFormLayout()
+        form.addRow(tr("Wanted error as made"), self.error)
+        form.addRow(tr("Ball radius"), self.radius)
+        form.addRow(tr("Time to polish 1 cm² over 0.1 mm"), self.polishing)
+        self.state = WrappedLabel()
+        self.state.setAccessibleName(tr("Result of the search"))
+        self.table = Table(tr("Plans"), len(_COLUMNS))
+        self.table.setHorizontalHeaderLabels([tr(title) for title in _COLUMNS])
+        self.table.setMinimumHeight(_ROWS * self.fontMetrics().lineSpacing())
+        self.table.itemSelectionChanged.connect(self._allow)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.use = buttons.addButton(tr("&Use this plan"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.use.setToolTip(tr("Enter these processes; Continue then designs for them"))
+        self.again = buttons.addButton(tr("&Find plans"), QDialogButtonBox.ButtonRole.ActionRole)
+        self.again.clicked.connect(self.search)
+        buttons.accepted.connect(self._accept)
+        buttons.rejected.connect(self.reject)
+        filled(QVBoxLayout(self), WrappedLabel(tr(_ABOUT)), form, self.state, self.table, buttons)
+        self.resize(72 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
+        self.background = Background(later("search for plans"), self)
+        self.background.progressed.connect(self._show_progress)
+        self.background.done.connect(self._show_found)
+        self.background.failed.connect(self._show_failure)
+        self.finished.connect(self.background.close)
+        self.search()
+
+    def _number(
+        self, least: float, most: float, step: float, suffix: str, empty: str
+    ) -> QDoubleSpinBox:
+        field = QDoubleSpinBox()
+        field.setRange(least, most)
+        field.setSingleStep(step)
+        field.setDecimals(3)
+        field.setSuffix(suffix)
+        field.setSpecialValueText(empty)  # for the least value
+        return field
+
+    def search(self) -> None:
+        self._show_plans(())
+        self._show_progress(None, 0.0)
+        asked = self.error.value() / 100, self.radius.value(), self.polishing.value()
+        self.background.begin(partial(_plans, self._session, *asked))
+
+    def _show_progress(self, _: object, done: float) -> None:
+        self.state.setText(tr("Comparing plans: {percent} %").format(percent=round(100 * done)))
+
+    def _show_found(self, _: object, found: "ShopPlans | None") -> None:
+        if found is not None:
+            self.state.setText(
+                tr("Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.").format(
+                    designed=100 * found.designed, wanted=100 * found.wanted
+                )
+            )
+            self._show_plans(found.plans)
+
+    def _show_failure(self, reason: str) -> None:
+        self.state.setText(f"\N{WARNING SIGN} {reason}")
+
+    def _show_plans(self, plans: "tuple[ShopPlan, ...]") -> None:
+        self._plans, unit = plans, self._session.scene.unit
+        self.table.setRowCount(len(plans))
+        for row, plan in enumerate(plans):
+            polish = "–" if plan.polishing is None else written(plan.polishing.width, unit)
+            about = "" if row == 0 else "≈ "
+            texts = (
+                written(plan.milling.step_over, unit),
+                written(plan.milling.scallop, unit, 2),
+                polish,
+                f"{about}{100 * plan.error:.2f} %",
+                f"{plan.minutes:.0f}",
+            )
+            self.table.put(row, texts)
+        if plans:
+            self.table.selectRow(0)
+        self._allow()
+
+    def _allow(self) -> None:
+        self.use.setEnabled(bool(self._plans) and self.table.currentRow() >= 0)
+
+    def _accept(self) -> None:
+        plan = self._plans[self.table.currentRow()]
+        data = [process.model_dump(mode="json") for process in plan.processes]
+        self._choose(Edit("processes", tr("plan of manufacture"), {"processes": data}, alone=True))
+        self.accept()
+
+
+def _plans(
+    session: "Session", error: float, radius: float, polishing: float, task: Task
+) -> "ShopPlans | None":
+    from workbench.analysis.making.plan import ShopRates, fitting_ball, planning  # slow import
+    from workbench.design.session import result_of
+
+    heights = result_of(session).state.heights
+    ball = radius or fitting_ball(session.scene, heights)
+    rates = ShopRates(polishing=polishing)
+    steps = planning(session.scene, session.target, heights, ball, error or None, rates)
+    return task.follow(steps, task.report)

@@ -1,0 +1,91 @@
+"""What is not known exactly of a set-up that is built, and the cases that stand for it."""
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, NamedTuple
+
+import numpy as np
+
+from workbench.scene.fields import ANGLE, LENGTH, about
+from workbench.scene.part import NonNegative, Part
+from workbench.scene.turning import turned
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+
+class Case(NamedTuple):
+    """A set-up that may be, and how likely."""
+
+    scene: "Scene"
+    probability: float
+
+
+class Uncertainty(Part):
+    """Standard deviations of what a built set-up has else than the scene says; 0 where known.
+
+    Runs then lower the mean square of the error over cases: the scene, and for each deviation two
+    points at √(d + 1) times it, with d deviations (the unscented transform of Julier and Uhlmann,
+    1997, with the weight 1 / (d + 1) of the middle). Means and variances are those of the
+    deviations, and the error need not be linear in them.
+    """
+
+    distance: Annotated[
+        NonNegative,
+        LENGTH,
+        about("Distance", "Of the receiver, along the light that comes to its middle."),
+    ] = 0.0
+    source_shift: Annotated[
+        NonNegative,
+        LENGTH,
+        about("Source shift", "Of a source at a place, along x and along y."),
+    ] = 0.0
+    source_tilt: Annotated[
+        NonNegative,
+        ANGLE,
+        about("Source tilt", "Of collimated light, about x and about y.", le=10),
+    ] = 0.0
+
+    def cases(self, scene: "Scene") -> tuple[Case, ...]:
+        """Return the scene itself and those at the deviations, with their probabilities."""
+        ways = self._ways(scene)
+        share, far = 1 / (len(ways) + 1), math.sqrt(len(ways) + 1)
+        both = (way(scene, sign * far) for way in ways for sign in (1, -1))
+        return (Case(scene, share), *(Case(each, share / 2) for each in both))
+
+    def _ways(self, scene: "Scene") -> list[Callable[["Scene", float], "Scene"]]:
+        """Steps by a number of deviations, for each deviation that the scene has."""
+        ways: list[Callable[[Scene, float], Scene]] = []
+        if self.distance:
+            ways.append(self._farther)
+        placed = scene.source.place is not None
+        if self.source_shift and placed:
+            ways += [partial(self._shifted, axis) for axis in (0, 1)]
+        if self.source_tilt and not placed:
+            ways += [partial(self._tilted, axis) for axis in (0, 1)]
+        return ways
+
+    def _farther(self, scene: "Scene", deviations: float) -> "Scene":
+        images = []
+        for image in scene.images:
+            receiver = image.receiver
+            if receiver.stands_at is not None:  # a far field is as far from everywhere
+                middle = receiver.middle_in_scene
+                way = middle - scene.optic.in_scene(np.array([0.0, 0.0, scene.optic.leaving_z]))
+                step = deviations * self.distance * way / np.linalg.norm(way)
+                x, y, z = (receiver.position + step).tolist()
+                receiver = receiver.model_copy(update={"position": (x, y, z)})
+            images.append(image.model_copy(update={"receiver": receiver}))
+        return scene.with_images(images)
+
+    def _shifted(self, axis: int, scene: "Scene", deviations: float) -> "Scene":
+        place = np.array(scene.source.place)
+        place[axis] += deviations * self.source_shift
+        return scene.model_copy(update={"source": scene.source.standing(place, np.eye(3))})
+
+    def _tilted(self, axis: int, scene: "Scene", deviations: float) -> "Scene":
+        angles = [0.0, 0.0]
+        angles[axis] = deviations * self.source_tilt
+        turn = turned((angles[0], angles[1]))
+        return scene.model_copy(update={"source": scene.source.standing(None, turn)})
