@@ -84,6 +84,7 @@ class Forms(FormArea):
             self._images,
             regions,
             processes,
+            PartPanel(parts["uncertainty"]),
             StagesPanel(),
         ]
 

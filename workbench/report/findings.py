@@ -134,13 +134,14 @@ def _error(
     hindered: bool,
 ) -> tuple[Finding, Level]:
     """The finding of the error, and its level without a goal."""
-    lowest = attainable.error
+    lowest, made = attainable.error, session.scene.processes
     if verified is None:
         error = relative_error(result.state, session.target)
         sentence = Message("{error} computed error, not verified yet", error=percent(error))
     else:
         error = verified.relative_l2_corrected
-        sentence = Message("{error} verified error", error=verified_error(verified))
+        words = "{error} verified error as made" if made else "{error} verified error"
+        sentence = Message(words, error=verified_error(verified))
     if lowest is None:
         sentence = Message("{sentence}.", sentence=sentence)
     else:
