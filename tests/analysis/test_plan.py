@@ -34,6 +34,7 @@ def test_the_check_finds_what_the_cheapest_plan_promises(plate):
     assert error.distance < 1.03 * found.wanted
 
 
+@pytest.mark.full
 def test_polishing_pays_where_it_is_cheap(plate):
     scene, target, heights = plate
     cheap, dear = (

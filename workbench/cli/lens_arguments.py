@@ -18,6 +18,7 @@ from workbench.cli.parser import (
     count,
     distances,
     length,
+    place,
     positive,
     ranged,
     rays,
@@ -204,6 +205,39 @@ def _run_plan(options: argparse.Namespace) -> None:
     wanted = None if options.error is None else options.error / 100
     rates = ShopRates(options.feed, options.polish_time)
     plan(options.session, options.ball, wanted, rates, options.output, options.json)
+
+
+def add_photograph(commands: Any) -> None:
+    """Add ``freeform photograph``."""
+    parser = add_verb(
+        commands,
+        "photograph",
+        "Compare a photograph of the projected light with the prediction, and find likely causes "
+        "of differences: distance and tilt of the screen, size of the source.",
+        ["photograph plate.freeform wall.jpg --corners 210,95 1630,120 1605,1180 232,1204"],
+        _run_photograph,
+    )
+    add_session(parser)
+    parser.add_input("photo", role="the photograph", metavar="PHOTO", help="image file")
+    parser.add_argument(
+        "--corners",
+        metavar="X,Y",
+        nargs=4,
+        type=place,
+        required=True,
+        help="pixels of the screen's corners in the photograph, around it from the top left one of "
+        "the target",
+    )
+    parser.add_argument(
+        "--tone", choices=("srgb", "linear"), default="srgb", help="default %(default)s"
+    )
+    add_json(parser)
+
+
+def _run_photograph(options: argparse.Namespace) -> None:
+    from workbench.cli.photograph import photograph
+
+    photograph(options.session, options.photo, tuple(options.corners), options.tone, options.json)
 
 
 def add_export(commands: Any) -> None:

@@ -145,6 +145,14 @@ def distances(text: str) -> tuple[float, ...]:
     )
 
 
+def place(text: str) -> tuple[float, float]:
+    """Parse a place in a picture: ``column,row``."""
+    with suppress(ValueError):
+        x, y = map(float, text.split(","))
+        return x, y
+    raise argparse.ArgumentTypeError(f"{text!r}; column,row is needed, as in 210,95")
+
+
 class _Written(NamedTuple):
     dest: str
     files: Callable[[Path], Sequence[Path]]

@@ -216,10 +216,7 @@ class AnySource(Part):
         """Keep the unit of the scene's lengths, if it is needed: a file has one of its own."""
 
     def check_before(self, optic: Element) -> None:
-        """Refuse a lens that it cannot light.
-
-        Raises `Refused` with the path of the field, the value and what is allowed.
-        """
+        """Refuse a lens that it cannot light, with the path of the field and what is allowed."""
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points to draw it with, shape (n, 3): no more than ``most`` along x and y."""
@@ -254,6 +251,10 @@ class AnySource(Part):
     def shrunk(self, factor: float) -> Self:
         """The same source of another size about its middle."""
         return self
+
+    def resized(self, factor: float) -> Self:
+        """The same source of another size, or of another angular size."""
+        return self.shrunk(factor)
 
     def widened(self, corner: Array, digits: int) -> Self:
         """The same source with a corner at a place, shape (3,); lengths have so many decimals."""

@@ -120,6 +120,10 @@ class CollimatedSource(AnySource):
         """That of its disc's middle; see `AnySource.heading`."""
         return turned(self.direction)[:, 2]
 
+    def resized(self, factor: float) -> Self:
+        """See `AnySource.resized`."""
+        return self.model_copy(update={"angular_diameter": factor * self.angular_diameter})
+
     def standing(self, place: Array | None, turn: Array) -> Self:
         """See `AnySource.standing`."""
         x, y, z = (turn @ self.heading).tolist()
