@@ -42,6 +42,7 @@ from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
 from workbench.geometry.faces import FaceArrays
+from workbench.made import as_made, expected_error, photograph, plan
 from workbench.scene import Scene
 
 __all__ = [
@@ -56,10 +57,14 @@ __all__ = [
     "Snapshot",
     "Validation",
     "Written",
+    "as_made",
     "begin",
     "check",
+    "expected_error",
     "export",
     "load",
+    "photograph",
+    "plan",
     "save",
     "sensitivity",
 ]
