@@ -150,6 +150,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>P&amp;lan milling and polishing…</source>
+            <translation>Fräsen und Polieren p&amp;lanen…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Find step-over and polishing for a wanted error as made, with the least time</source>
+            <translation>Zeilenabstand und Politur für einen gewünschten Fehler nach der Fertigung finden, mit der kürzesten Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Be&amp;richt …</translation>
         </message>
@@ -2245,8 +2255,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Polishing removes scallops.</source>
-            <translation>Polieren entfernt die Rillen.</translation>
+            <source>{process} {error:.3g} % (± {off:.1g})</source>
+            <translation>{process} {error:.3g} % (± {off:.1g})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>As designed</source>
+            <translation>Wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Error: {errors}.</source>
+            <translation>Fehler: {errors}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2472,6 +2492,116 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>Analysis of the face</source>
             <translation>Analyse der Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Step-over</source>
+            <translation>Zeilenabstand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Scallop</source>
+            <translation>Rillenhöhe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Polish over</source>
+            <translation>Politur über</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Error as made</source>
+            <translation>Fehler nach Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Minutes</source>
+            <translation>Minuten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Milling leaves scallops, and polishing removes them and fine details of the lens. These plans reach the wanted error; the first takes the least time and is verified by random rays.</source>
+            <translation>Fräsen hinterlässt Rillen; Polieren entfernt sie und feine Einzelheiten der Linse. Diese Pläne erreichen den gewünschten Fehler; der erste braucht die kürzeste Zeit und ist mit Zufallsstrahlen geprüft.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Plan milling and polishing</source>
+            <translation>Fräsen und Polieren planen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>1.1 times the error as designed</source>
+            <translation>1,1-facher Fehler wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>one that fits</source>
+            <translation>eine passende</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source> min</source>
+            <translation> min</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Wanted error as made</source>
+            <translation>Gewünschter Fehler nach Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Ball radius</source>
+            <translation>Kugelradius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Time to polish 1 cm² over 0.1 mm</source>
+            <translation>Zeit, um 1 cm² über 0,1 mm zu polieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Result of the search</source>
+            <translation>Ergebnis der Suche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Plans</source>
+            <translation>Pläne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>&amp;Use this plan</source>
+            <translation>Diesen Plan &amp;verwenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Enter these processes; Continue then designs for them</source>
+            <translation>Diese Verfahren eintragen; Fortsetzen entwirft dann für sie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>&amp;Find plans</source>
+            <translation>Pläne &amp;suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>search for plans</source>
+            <translation>Suche nach Plänen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Comparing plans: {percent} %</source>
+            <translation>Pläne werden verglichen: {percent} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
+            <translation>Fehler wie entworfen {designed:.2f} %, nach Fertigung gewünscht {wanted:.2f} %.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>plan of manufacture</source>
+            <translation>Fertigungsplan</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3087,6 +3217,31 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Stage {number}</source>
             <translation>Stufe {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>process</source>
+            <translation>Verfahren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add {process} behind the others</source>
+            <translation>{process} hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: elements are as designed.</source>
+            <translation>Keine: Elemente sind wie entworfen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process {number}</source>
+            <translation>Verfahren {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process</source>
+            <translation>Verfahren</translation>
         </message>
         <message>
             <location filename="../../ui/run/cards.py" />
@@ -6666,6 +6821,231 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Steps by which the designed elements are made, in their order. Runs design for the image as made, and checks trace it. Left empty, elements are ideal.</source>
+            <translation>Schritte, in denen die entworfenen Elemente gefertigt werden, in ihrer Reihenfolge. Läufe entwerfen für das Bild nach der Fertigung, und Prüfungen verfolgen es. Leer gelassen sind Elemente ideal.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Milling</source>
+            <translation>Fräsen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Milling with a ball cutter in straight parallel passes.</source>
+            <translation>Fräsen mit einem Kugelfräser in geraden parallelen Bahnen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter.</source>
+            <translation>Radius des Kugelfräsers.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of neighbouring passes, seen along z. The scallops between them are about step² / 8 R high.</source>
+            <translation>Abstand benachbarter Bahnen, entlang z gesehen. Die Rillen dazwischen sind etwa Abstand² / 8 R hoch.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Direction of the passes against x.</source>
+            <translation>Richtung der Bahnen gegen x.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed per tooth</source>
+            <translation>Vorschub je Zahn</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of the marks along each pass; 0 for none.</source>
+            <translation>Abstand der Marken entlang jeder Bahn; 0 für keine.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diamond turning</source>
+            <translation>Diamantdrehen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diamond turning with a slow tool servo: a spiral about the axis of the element.</source>
+            <translation>Diamantdrehen mit Slow-Tool-Servo: eine Spirale um die Achse des Elements.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Nose radius</source>
+            <translation>Spitzenradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the tip of the diamond.</source>
+            <translation>Radius der Diamantspitze.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of neighbouring turns. The ridges between are feed² / 8 R high.</source>
+            <translation>Abstand benachbarter Windungen. Die Grate dazwischen sind Vorschub² / 8 R hoch.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polishing</source>
+            <translation>Polieren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polishing: high spots go first, so that the face becomes an average of itself.</source>
+            <translation>Polieren: Hohe Stellen gehen zuerst, sodass die Fläche zu einem Mittel ihrer selbst wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms width of the Gaussian by which polishing averages the face. Half of the step-over removes scallops; details of the lens that are not much wider go, too.</source>
+            <translation>Effektive Breite der Gaußkurve, mit der Polieren die Fläche mittelt. Die Hälfte des Zeilenabstands entfernt Rillen; Einzelheiten der Linse, die nicht viel breiter sind, gehen auch.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of the layer that polishing removes.</source>
+            <translation>Dicke der Schicht, die Polieren abträgt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Casting or moulding</source>
+            <translation>Gießen oder Spritzguss</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Casting or moulding: the element shrinks as it cures or cools.</source>
+            <translation>Gießen oder Spritzguss: Das Element schrumpft beim Aushärten oder Abkühlen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Shrinkage</source>
+            <translation>Schwindung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part by which all lengths of the element become smaller and the mould or the print file does not make up for: 0.005 for 0.5 %.</source>
+            <translation>Teil, um den alle Längen des Elements kleiner werden und den Form oder Druckdatei nicht ausgleicht: 0,005 für 0,5 %.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Resin printing</source>
+            <translation>Harzdruck</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Resin printing in layers along z, which pixels of light cure; then dipping or coating.</source>
+            <translation>Harzdruck in Schichten entlang z, die Lichtpixel härten; dann Tauchen oder Lackieren.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Layer height</source>
+            <translation>Schichthöhe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of each layer, along z.</source>
+            <translation>Dicke jeder Schicht, entlang z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel size</source>
+            <translation>Pixelgröße</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the pixels of light that cure a layer.</source>
+            <translation>Breite der Lichtpixel, die eine Schicht härten.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dip width</source>
+            <translation>Tauchbreite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms width of the Gaussian by which a dip in resin, or a coat of varnish, averages the face; 0 for none.</source>
+            <translation>Effektive Breite der Gaußkurve, mit der ein Harzbad oder ein Lack die Fläche mittelt; 0 für keines.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Figure error</source>
+            <translation>Formfehler</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Figure error: random waves of a known slope and length, whatever makes them.</source>
+            <translation>Formfehler: zufällige Wellen bekannter Neigung und Länge, was sie auch erzeugt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms of the gradient of the error.</source>
+            <translation>Effektivwert des Gradienten des Fehlers.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Correlation length</source>
+            <translation>Korrelationslänge</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance at which the autocorrelation falls to 1/e.</source>
+            <translation>Abstand, bei dem die Autokorrelation auf 1/e fällt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Another number makes other waves.</source>
+            <translation>Eine andere Zahl ergibt andere Wellen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uncertainty</source>
+            <translation>Unsicherheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviations of the set-up that is built. Runs then lower the mean error over them, and not that of the exact set-up alone.</source>
+            <translation>Standardabweichungen des gebauten Aufbaus. Läufe senken dann den mittleren Fehler darüber, nicht nur den des genauen Aufbaus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviations of what a built set-up has else than the scene says; 0 where known.</source>
+            <translation>Standardabweichungen dessen, was ein gebauter Aufbau anders hat als die Szene; 0, wo bekannt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the receiver, along the light that comes to its middle.</source>
+            <translation>Des Empfängers, entlang des Lichts zu seiner Mitte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source shift</source>
+            <translation>Quellenversatz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of a source at a place, along x and along y.</source>
+            <translation>Einer Quelle an einem Ort, entlang x und entlang y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source tilt</source>
+            <translation>Quellenkippung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of collimated light, about x and about y.</source>
+            <translation>Von parallelem Licht, um x und um y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Run</source>
             <translation>Lauf</translation>
         </message>
@@ -7531,18 +7911,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Source tilt</source>
-            <translation>Quellenkippung</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Largest tilt of the source about its middle</source>
             <translation>Größte Verkippung der Quelle um ihre Mitte</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Source shift</source>
-            <translation>Quellenversatz</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7735,16 +8105,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu vergleichen</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/cut_lens.py" />
-            <source>Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % (± {designed_off:.1g}).</source>
-            <translation>Fehler wie gefräst {cut:.3g} % (± {cut_off:.1g}), wie entworfen {designed:.3g} % (± {designed_off:.1g}).</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/cut_lens.py" />
-            <source>its cut is not traced; only that of an exit face is</source>
-            <translation>der Schnitt wird nicht verfolgt; nur der einer Austrittsfläche</translation>
-        </message>
-        <message>
             <location filename="../../workbench/analysis/derivatives.py" />
             <source>{i} is no control point; 0 to {last}</source>
             <translation>{i} ist kein Kontrollpunkt; 0 bis {last}</translation>
@@ -7808,6 +8168,36 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/light_limit.py" />
             <source>At most {most} % of the light can land {place}: {reasons}.</source>
             <translation>Höchstens {most} % des Lichts können {place} ankommen: {reasons}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>four places x,y in pixels of the photograph are needed</source>
+            <translation>vier Orte x,y in Pixeln der Fotografie werden gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>are beside the photograph of {n_x} × {n_y} pixels</source>
+            <translation>liegen neben der Fotografie von {n_x} × {n_y} Pixeln</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>make no convex quadrilateral in this order</source>
+            <translation>bilden in dieser Reihenfolge kein konvexes Viereck</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>a photograph shows a plane; 'plane'</source>
+            <translation>eine Fotografie zeigt eine Ebene; 'plane'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>the picture of this lens is not within these corners; others</source>
+            <translation>das Bild dieser Linse liegt nicht in diesen Ecken; andere</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/plan.py" />
+            <source>{wanted:.3g} % as made is not reached by milling and polishing this lens; more than {least:.3g} % may be</source>
+            <translation>{wanted:.3g} % nach der Fertigung erreichen Fräsen und Polieren dieser Linse nicht; mehr als {least:.3g} % sind möglich</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
@@ -8031,8 +8421,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
-            <source>a diffuser scatters the light: random rays are used</source>
-            <translation>ein Diffusor streut das Licht: es werden Zufallsstrahlen verwendet</translation>
+            <source>{what} scatters the light: random rays are used</source>
+            <translation>{what} streut das Licht: Zufallsstrahlen werden verwendet</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -8098,6 +8488,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/checks.py" />
             <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
             <translation>Das Bild bleibt {error:.0f} % daneben: {n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels. {finer_u} × {finer_v}, die automatische Wahl, können sie zeigen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/images.py" />
+            <source>mean error over {count} set-ups {error:.2f} %</source>
+            <translation>mittlerer Fehler über {count} Aufbauten {error:.2f} %</translation>
         </message>
         <message>
             <location filename="../../workbench/design/lens_blur.py" />
@@ -8278,6 +8673,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/design/paper.py" />
             <source>the paper's method</source>
             <translation>die Methode der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/paper.py" />
+            <source>the paper's method designs for the exact set-up; method 'auto'</source>
+            <translation>die Methode der Veröffentlichung entwirft für den genauen Aufbau; Methode 'auto'</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -8488,6 +8888,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/extended/bound.py" />
             <source>A curved entrance face can make the image of the source smaller</source>
             <translation>Eine gekrümmte Eintrittsfläche kann das Bild der Quelle verkleinern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/relief_blur.py" />
+            <source>relief of manufacture blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>das Relief der Fertigung verwischt es über {x:.3g} × {y:.3g} Pixel</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />
@@ -8783,6 +9188,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/files/session.py" />
             <source>would hold {count} kept runs; at most {most}</source>
             <translation>enthielte {count} aufbewahrte Läufe; höchstens {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/as_made.py" />
+            <source>a diffuser</source>
+            <translation>ein Diffusor</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/as_made.py" />
+            <source>the relief that manufacture leaves</source>
+            <translation>das Relief, das die Fertigung hinterlässt</translation>
         </message>
         <message>
             <location filename="../../workbench/geometry/ball_cutter.py" />
@@ -9666,6 +10081,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
+            <source>{error} verified error as made</source>
+            <translation>{error} geprüfter Fehler nach Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
             <source>{error} verified error</source>
             <translation>{error} geprüfter Fehler</translation>
         </message>
@@ -9843,6 +10263,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/losses.py" />
             <source>{loss} ({element})</source>
             <translation>{loss} ({element})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/process.py" />
+            <source>{width:g} is too large for {name}; at most {most:.3g}</source>
+            <translation>{width:g} ist zu groß für {name}; höchstens {most:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/process.py" />
+            <source>{step:g} leaves ridges of the tool's own size; at most {most:g}</source>
+            <translation>{step:g} hinterlässt Grate von der Größe des Werkzeugs; höchstens {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/mirror_diffuser.py" />

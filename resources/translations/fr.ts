@@ -150,6 +150,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>P&amp;lan milling and polishing…</source>
+            <translation>P&amp;lanifier le fraisage et le polissage…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Find step-over and polishing for a wanted error as made, with the least time</source>
+            <translation>Trouver le pas et le polissage pour une erreur voulue après fabrication, en un minimum de temps</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Ra&amp;pport…</translation>
         </message>
@@ -2245,8 +2255,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Polishing removes scallops.</source>
-            <translation>Le polissage enlève les crêtes.</translation>
+            <source>{process} {error:.3g} % (± {off:.1g})</source>
+            <translation>{process} {error:.3g} % (± {off:.1g})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>As designed</source>
+            <translation>Telle que conçue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Error: {errors}.</source>
+            <translation>Erreur : {errors}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2472,6 +2492,116 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>Analysis of the face</source>
             <translation>Analyse de la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Step-over</source>
+            <translation>Pas entre passes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Scallop</source>
+            <translation>Crête</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Polish over</source>
+            <translation>Polissage sur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Error as made</source>
+            <translation>Erreur après fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Minutes</source>
+            <translation>Minutes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Milling leaves scallops, and polishing removes them and fine details of the lens. These plans reach the wanted error; the first takes the least time and is verified by random rays.</source>
+            <translation>Le fraisage laisse des crêtes ; le polissage les enlève, avec les détails fins de la lentille. Ces plans atteignent l'erreur voulue ; le premier prend le moins de temps et est vérifié par des rayons aléatoires.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Plan milling and polishing</source>
+            <translation>Planifier le fraisage et le polissage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>1.1 times the error as designed</source>
+            <translation>1,1 fois l'erreur telle que conçue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>one that fits</source>
+            <translation>une qui convient</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source> min</source>
+            <translation> min</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Wanted error as made</source>
+            <translation>Erreur voulue après fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Ball radius</source>
+            <translation>Rayon de la fraise</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Time to polish 1 cm² over 0.1 mm</source>
+            <translation>Temps pour polir 1 cm² sur 0,1 mm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Result of the search</source>
+            <translation>Résultat de la recherche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Plans</source>
+            <translation>Plans</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>&amp;Use this plan</source>
+            <translation>&amp;Utiliser ce plan</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Enter these processes; Continue then designs for them</source>
+            <translation>Entrer ces procédés ; Continuer conçoit ensuite pour eux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>&amp;Find plans</source>
+            <translation>&amp;Chercher des plans</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>search for plans</source>
+            <translation>recherche de plans</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Comparing plans: {percent} %</source>
+            <translation>Comparaison des plans : {percent} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
+            <translation>Erreur telle que conçue {designed:.2f} %, voulue après fabrication {wanted:.2f} %.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
+            <source>plan of manufacture</source>
+            <translation>plan de fabrication</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -3087,6 +3217,31 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Stage {number}</source>
             <translation>Étape {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>process</source>
+            <translation>procédé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Add {process} behind the others</source>
+            <translation>Ajouter {process} après les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: elements are as designed.</source>
+            <translation>Aucun : les éléments sont tels que conçus.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process {number}</source>
+            <translation>Procédé {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process</source>
+            <translation>Procédé</translation>
         </message>
         <message>
             <location filename="../../ui/run/cards.py" />
@@ -6666,6 +6821,231 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Steps by which the designed elements are made, in their order. Runs design for the image as made, and checks trace it. Left empty, elements are ideal.</source>
+            <translation>Étapes de fabrication des éléments conçus, dans leur ordre. Les calculs conçoivent pour l'image après fabrication, et les contrôles la tracent. Laissé vide, les éléments sont idéaux.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Milling</source>
+            <translation>Fraisage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Milling with a ball cutter in straight parallel passes.</source>
+            <translation>Fraisage à la fraise boule en passes droites parallèles.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter.</source>
+            <translation>Rayon de la fraise boule.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of neighbouring passes, seen along z. The scallops between them are about step² / 8 R high.</source>
+            <translation>Distance entre passes voisines, vue le long de z. Les crêtes entre elles ont environ pas² / 8 R de haut.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Direction of the passes against x.</source>
+            <translation>Direction des passes par rapport à x.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed per tooth</source>
+            <translation>Avance par dent</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of the marks along each pass; 0 for none.</source>
+            <translation>Distance des marques le long de chaque passe ; 0 pour aucune.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diamond turning</source>
+            <translation>Tournage au diamant</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Diamond turning with a slow tool servo: a spiral about the axis of the element.</source>
+            <translation>Tournage au diamant avec servo-outil lent : une spirale autour de l'axe de l'élément.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Nose radius</source>
+            <translation>Rayon de bec</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the tip of the diamond.</source>
+            <translation>Rayon de la pointe du diamant.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of neighbouring turns. The ridges between are feed² / 8 R high.</source>
+            <translation>Distance entre tours voisins. Les crêtes entre eux ont avance² / 8 R de haut.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polishing</source>
+            <translation>Polissage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polishing: high spots go first, so that the face becomes an average of itself.</source>
+            <translation>Polissage : les points hauts partent d'abord, et la face devient une moyenne d'elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms width of the Gaussian by which polishing averages the face. Half of the step-over removes scallops; details of the lens that are not much wider go, too.</source>
+            <translation>Largeur efficace de la gaussienne par laquelle le polissage moyenne la face. La moitié du pas enlève les crêtes ; les détails de la lentille guère plus larges partent aussi.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Depth</source>
+            <translation>Profondeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of the layer that polishing removes.</source>
+            <translation>Épaisseur de la couche enlevée par le polissage.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Casting or moulding</source>
+            <translation>Coulée ou moulage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Casting or moulding: the element shrinks as it cures or cools.</source>
+            <translation>Coulée ou moulage : l'élément rétrécit en durcissant ou en refroidissant.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Shrinkage</source>
+            <translation>Retrait</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part by which all lengths of the element become smaller and the mould or the print file does not make up for: 0.005 for 0.5 %.</source>
+            <translation>Part dont toutes les longueurs de l'élément diminuent et que le moule ou le fichier d'impression ne compense pas : 0,005 pour 0,5 %.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Resin printing</source>
+            <translation>Impression résine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Resin printing in layers along z, which pixels of light cure; then dipping or coating.</source>
+            <translation>Impression résine en couches le long de z, durcies par des pixels de lumière ; puis trempage ou vernis.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Layer height</source>
+            <translation>Hauteur de couche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of each layer, along z.</source>
+            <translation>Épaisseur de chaque couche, le long de z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel size</source>
+            <translation>Taille de pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the pixels of light that cure a layer.</source>
+            <translation>Largeur des pixels de lumière qui durcissent une couche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dip width</source>
+            <translation>Largeur de trempage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms width of the Gaussian by which a dip in resin, or a coat of varnish, averages the face; 0 for none.</source>
+            <translation>Largeur efficace de la gaussienne par laquelle un bain de résine ou un vernis moyenne la face ; 0 pour aucun.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Figure error</source>
+            <translation>Erreur de forme</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Figure error: random waves of a known slope and length, whatever makes them.</source>
+            <translation>Erreur de forme : des ondes aléatoires de pente et de longueur connues, quelle qu'en soit la cause.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rms of the gradient of the error.</source>
+            <translation>Valeur efficace du gradient de l'erreur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Correlation length</source>
+            <translation>Longueur de corrélation</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance at which the autocorrelation falls to 1/e.</source>
+            <translation>Distance à laquelle l'autocorrélation tombe à 1/e.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Another number makes other waves.</source>
+            <translation>Un autre nombre donne d'autres ondes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uncertainty</source>
+            <translation>Incertitude</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviations of the set-up that is built. Runs then lower the mean error over them, and not that of the exact set-up alone.</source>
+            <translation>Écarts types du montage construit. Les calculs réduisent alors l'erreur moyenne sur eux, et pas seulement celle du montage exact.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviations of what a built set-up has else than the scene says; 0 where known.</source>
+            <translation>Écarts types de ce qu'un montage construit a de différent de la scène ; 0 si connu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance</source>
+            <translation>Distance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the receiver, along the light that comes to its middle.</source>
+            <translation>Du récepteur, le long de la lumière qui arrive en son milieu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source shift</source>
+            <translation>Décal. source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of a source at a place, along x and along y.</source>
+            <translation>D'une source placée, le long de x et de y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source tilt</source>
+            <translation>Inclin. source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of collimated light, about x and about y.</source>
+            <translation>De la lumière collimatée, autour de x et de y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Run</source>
             <translation>Exécution</translation>
         </message>
@@ -7531,18 +7911,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Source tilt</source>
-            <translation>Inclin. source</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Largest tilt of the source about its middle</source>
             <translation>Plus grande inclinaison de la source autour de son milieu</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Source shift</source>
-            <translation>Décal. source</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7735,16 +8105,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à comparer</translation>
         </message>
         <message>
-            <location filename="../../workbench/analysis/cut_lens.py" />
-            <source>Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % (± {designed_off:.1g}).</source>
-            <translation>Erreur telle qu'usinée {cut:.3g} % (± {cut_off:.1g}), telle que conçue {designed:.3g} % (± {designed_off:.1g}).</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/cut_lens.py" />
-            <source>its cut is not traced; only that of an exit face is</source>
-            <translation>sa coupe n'est pas tracée ; seule celle d'une face de sortie l'est</translation>
-        </message>
-        <message>
             <location filename="../../workbench/analysis/derivatives.py" />
             <source>{i} is no control point; 0 to {last}</source>
             <translation>{i} n'est pas un point de contrôle ; 0 à {last}</translation>
@@ -7808,6 +8168,36 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/light_limit.py" />
             <source>At most {most} % of the light can land {place}: {reasons}.</source>
             <translation>Au plus {most} % de la lumière peut arriver {place} : {reasons}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>four places x,y in pixels of the photograph are needed</source>
+            <translation>il faut quatre points x,y en pixels de la photographie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>are beside the photograph of {n_x} × {n_y} pixels</source>
+            <translation>sont hors de la photographie de {n_x} × {n_y} pixels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>make no convex quadrilateral in this order</source>
+            <translation>ne forment pas un quadrilatère convexe dans cet ordre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>a photograph shows a plane; 'plane'</source>
+            <translation>une photographie montre un plan ; 'plane'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>the picture of this lens is not within these corners; others</source>
+            <translation>l'image de cette lentille n'est pas entre ces coins ; d'autres</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/plan.py" />
+            <source>{wanted:.3g} % as made is not reached by milling and polishing this lens; more than {least:.3g} % may be</source>
+            <translation>{wanted:.3g} % après fabrication n'est pas atteint par fraisage et polissage de cette lentille ; plus de {least:.3g} % peut l'être</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
@@ -8031,8 +8421,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
-            <source>a diffuser scatters the light: random rays are used</source>
-            <translation>un diffuseur disperse la lumière : des rayons aléatoires sont utilisés</translation>
+            <source>{what} scatters the light: random rays are used</source>
+            <translation>{what} diffuse la lumière : des rayons aléatoires sont utilisés</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -8098,6 +8488,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/checks.py" />
             <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
             <translation>L'image reste à {error:.0f} % d'écart : {n_u} × {n_v} points de contrôle sont trop peu pour le détail de cette cible. {finer_u} × {finer_v}, le choix automatique, peuvent le montrer.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/images.py" />
+            <source>mean error over {count} set-ups {error:.2f} %</source>
+            <translation>erreur moyenne sur {count} montages {error:.2f} %</translation>
         </message>
         <message>
             <location filename="../../workbench/design/lens_blur.py" />
@@ -8278,6 +8673,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/design/paper.py" />
             <source>the paper's method</source>
             <translation>la méthode de l'article</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/paper.py" />
+            <source>the paper's method designs for the exact set-up; method 'auto'</source>
+            <translation>la méthode de l'article conçoit pour le montage exact ; méthode 'auto'</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -8488,6 +8888,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/extended/bound.py" />
             <source>A curved entrance face can make the image of the source smaller</source>
             <translation>Une face d’entrée courbe peut réduire l’image de la source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/extended/relief_blur.py" />
+            <source>relief of manufacture blurs it over {x:.3g} × {y:.3g} pixels</source>
+            <translation>le relief de fabrication le floute sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/extended/scattering.py" />
@@ -8783,6 +9188,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/files/session.py" />
             <source>would hold {count} kept runs; at most {most}</source>
             <translation>contiendrait {count} calculs conservés ; au plus {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/as_made.py" />
+            <source>a diffuser</source>
+            <translation>un diffuseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/as_made.py" />
+            <source>the relief that manufacture leaves</source>
+            <translation>le relief que laisse la fabrication</translation>
         </message>
         <message>
             <location filename="../../workbench/geometry/ball_cutter.py" />
@@ -9666,6 +10081,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
+            <source>{error} verified error as made</source>
+            <translation>{error} d'erreur vérifiée après fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
             <source>{error} verified error</source>
             <translation>{error} d'erreur vérifiée</translation>
         </message>
@@ -9843,6 +10263,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/losses.py" />
             <source>{loss} ({element})</source>
             <translation>{loss} ({element})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/process.py" />
+            <source>{width:g} is too large for {name}; at most {most:.3g}</source>
+            <translation>{width:g} est trop grand pour {name} ; au plus {most:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/process.py" />
+            <source>{step:g} leaves ridges of the tool's own size; at most {most:g}</source>
+            <translation>{step:g} laisse des crêtes de la taille de l'outil ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/mirror_diffuser.py" />

@@ -134,14 +134,17 @@ def _error(
     hindered: bool,
 ) -> tuple[Finding, Level]:
     """The finding of the error, and its level without a goal."""
-    lowest, made = attainable.error, session.scene.processes
+    lowest = attainable.error
     if verified is None:
         error = relative_error(result.state, session.target)
         sentence = Message("{error} computed error, not verified yet", error=percent(error))
     else:
         error = verified.relative_l2_corrected
-        words = "{error} verified error as made" if made else "{error} verified error"
-        sentence = Message(words, error=verified_error(verified))
+        found = verified_error(verified)
+        if session.scene.processes:
+            sentence = Message("{error} verified error as made", error=found)
+        else:
+            sentence = Message("{error} verified error", error=found)
     if lowest is None:
         sentence = Message("{sentence}.", sentence=sentence)
     else:
