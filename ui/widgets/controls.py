@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
     QBoxLayout,
     QComboBox,
     QFrame,
-    QHBoxLayout,
+    QGridLayout,
     QHeaderView,
     QLayout,
     QMenu,
@@ -107,6 +107,7 @@ def choose(group: QActionGroup, number: int) -> None:
 
 
 _WIDE = 1.3  # times as wide as high
+_IN_A_ROW = 2  # buttons below a form
 _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
 
 
@@ -129,13 +130,12 @@ class SideBySide(QWidget):
         self._line.setSpacing(0)
         self._line.addWidget(picture, 1)
         beside = QVBoxLayout()
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 2, 6, 6)
-        for button in buttons:
-            row.addWidget(button)
-        row.addStretch(1)
-        beside.addWidget(_Scrolled(other, _OTHER_HIGH - row.sizeHint().height()))
-        beside.addLayout(row)
+        rows = QGridLayout()
+        rows.setContentsMargins(6, 2, 6, 6)
+        for number, button in enumerate(buttons):
+            rows.addWidget(button, *divmod(number, _IN_A_ROW))
+        beside.addWidget(_Scrolled(other, _OTHER_HIGH - rows.sizeHint().height()))
+        beside.addLayout(rows)
         self._line.addLayout(beside)
         picture.setMinimumHeight(_HIGH)
 
