@@ -11,7 +11,7 @@ import ast
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -25,6 +25,7 @@ from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.snapshot import ENDINGS, FAILED
+from workbench.files.export.options import GROUPS
 from workbench.jobs import JOBS
 from workbench.materials import CATALOGUE
 from workbench.optics.account import LOSSES, words_of
@@ -96,12 +97,19 @@ def _of_engine() -> Iterator[str]:
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
+    for _, option in (each for group in GROUPS for each in group.about()):
+        yield from (option.title, option.tip, option.empty, *_worded(option.choices.values()))
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)
     for aspect in ASPECTS:
         yield from (aspect.name, aspect.tip)
     yield from MAPS
     yield from (name for name in CATALOGUE if " " in name)  # others are codes
+
+
+def _worded(titles: Iterable[str]) -> Iterator[str]:
+    """Titles that are words, not names or sizes."""
+    return (title for title in titles if title[0].islower())
 
 
 def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:

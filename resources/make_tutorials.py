@@ -76,7 +76,7 @@ def sun_plate(window: MainWindow) -> None:
 
     def look() -> None:
         (dialog,) = window.findChildren(CutterDialog)
-        dialog.fields.enter("tool_radius", 1.5)
+        dialog.fields.enter(tool_radius=1.5)
         dialog.simulate()
         until(dialog.look.isEnabled, "the cut")
         dialog.trace()

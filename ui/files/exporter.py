@@ -31,7 +31,7 @@ from workbench.progress import Interrupted
 from workbench.report.content import HTML, PDF, check_ending
 
 if TYPE_CHECKING:
-    from workbench.files.export.gcode import CutPlan
+    from workbench.files.export.cut_plan import CutPlan
     from workbench.files.session import Session
     from workbench.scene import Scene
 

@@ -1,17 +1,13 @@
 """Dialog of a ball cutter. Each entry restarts the simulation of the cut."""
 
-import json
-from collections.abc import Iterator, Sequence
-from dataclasses import asdict
+from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from annotated_types import Ge, Le
-from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QFormLayout,
     QHBoxLayout,
     QPushButton,
     QVBoxLayout,
@@ -19,135 +15,24 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task
-from ui.panels.edits import Edit
-from ui.panels.entries import RowEntries, edited_data
-from ui.panels.fields import CheckRow, OptionalRow, Row, described
+from ui.manufacture.option_fields import OptionFields, keep_options, kept_options
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
-from workbench.errors import Refused
-from workbench.files.export.options import FEED, PLAIN, RANGES, Cutting
+from workbench.files.export.options import Cutting
 from workbench.powers import written
-from workbench.scene import LENGTH, Measure
-from workbench.scene.fields import LeftOut
 
 if TYPE_CHECKING:
     from workbench.analysis.making.as_made import MadeStep
-    from workbench.files.export.gcode import CutPlan
+    from workbench.files.export.cut_plan import CutPlan
     from workbench.files.session import Session
-
-_LENGTHS = later(
-    {
-        "tool_radius": (
-            "Tool radius",
-            "automatic",
-            "Radius of the ball cutter. Empty: the radius of the design task, or the largest "
-            "that fits everywhere.",
-        ),
-        "scallop": (
-            "Scallop height",
-            later("automatic"),
-            (
-                "Largest height of material between neighbouring passes. Empty: 1e-4 of the "
-                "larger half-width, or more where that needs too many moves."
-            ),
-        ),
-        "rim": ("Clamping rim", "0", "Width of stock around the lens for clamping."),
-        "safe_height": (
-            "Travel height",
-            "the ball's diameter",
-            "Height of rapid moves above the highest cut.",
-        ),
-    }
-)
-_MACHINE = later(
-    {
-        "feed": ("Feed", "Feed rate while cutting."),
-        "plunge_feed": ("Plunge feed", "Feed rate while plunging into the stock."),
-        "spindle_speed": ("Spindle speed", "Revolutions per minute, clockwise."),
-        "dwell": ("Dwell", "Wait above the stock until the spindle has reached its speed."),
-    }
-)
-
-
-class CutFields(QWidget):
-    """A field for each value of a `Cutting`."""
-
-    changed = Signal()
-
-    def __init__(self, unit: str, begin_with: Cutting) -> None:
-        super().__init__()
-        self._data = {"unit": unit, **asdict(begin_with)}
-        form = QFormLayout(self)
-        form.setContentsMargins(0, 0, 0, 0)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.rows = {row.path: row for row in _rows()}
-        for row in self.rows.values():
-            form.addRow(row.label, row)
-            row.reserve_unit(FEED)
-        self._entries = RowEntries(
-            list(self.rows.values()), lambda: self._data, self._enter, self, form.setRowVisible
-        )
-        self._entries.changed.connect(self.changed)
-        self._entries.show()
-
-    @property
-    def refused(self) -> bool:
-        return self._entries.refused
-
-    @property
-    def cutting(self) -> Cutting:
-        return _cutting(self._data)
-
-    def enter(self, name: str, value: object) -> None:
-        self._entries.edit(Edit(name, name, {name: value}))
-
-    def _enter(self, edits: list[Edit]) -> None:
-        data = edited_data(self._data, edits)
-        _cutting(data)
-        self._data = data
-
-
-def _cutting(data: dict[str, Any]) -> Cutting:
-    stated = {k: value for k, value in data.items() if k != "unit" and value is not None}
-    return Cutting(**stated)
-
-
-def _rows() -> Iterator[Row]:
-    for name, (title, empty, tip) in _LENGTHS.items():
-        length = LENGTH, LeftOut(empty)
-        yield OptionalRow(described(tr(title), tr(tip), float, *length, optional=True), name)
-    for name, (title, tip) in _MACHINE.items():
-        least, most, unit = RANGES[name]
-        marks = Measure(unit), Ge(least), Le(most), LeftOut(f"{getattr(PLAIN, name):g}")
-        yield OptionalRow(described(tr(title), tr(tip), float, *marks, optional=True), name)
-    tip = tr("Cut the negative of the face, turned over about the y axis.")
-    yield CheckRow(described(tr("Cut a mould of the face"), tip, bool), "negative")
-
-
-def kept_cutting(settings: QSettings, unit: str) -> Cutting:
-    """Return what was chosen last for designs of this unit, or the defaults."""
-    try:
-        return Cutting(**json.loads(str(settings.value(_key(unit), "{}"))))
-    except (ValueError, TypeError, Refused):  # not this program's, or not this version's
-        return PLAIN
-
-
-def keep_cutting(settings: QSettings, unit: str, cutting: Cutting) -> None:
-    """Keep what was chosen, for the next dialog and the next start."""
-    settings.setValue(_key(unit), json.dumps(asdict(cutting)))
-
-
-def _key(unit: str) -> str:
-    return f"cutting/{unit}"
-
 
 RAYS = 1_000_000
 """Through the cut; some ten seconds."""
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
-    "Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut "
-    "is simulated first; a cutter that leaves too much material or cuts too deep is refused."
+    "Writes the passes of a ball cutter as G-code in millimetres. The cut is simulated first; a "
+    "cutter that leaves too much material or cuts too deep is refused."
 )
 
 
@@ -160,11 +45,11 @@ class AskCutting:
     def __call__(self, session: "Session") -> "CutPlan | None":
         """Return the planned cut; None if cancelled."""
         unit = session.scene.unit
-        dialog = CutterDialog(session, kept_cutting(self._settings, unit), self._window)
+        dialog = CutterDialog(session, kept_options(self._settings, unit, Cutting), self._window)
         try:
             if not dialog.exec() or dialog.plan is None:
                 return None
-            keep_cutting(self._settings, unit, dialog.plan.cutting)
+            keep_options(self._settings, unit, dialog.plan.cutting)
             return dialog.plan
         finally:
             dialog.deleteLater()
@@ -179,7 +64,7 @@ class CutterDialog(QDialog):
         self._session, self._unit = session, session.scene.unit
         self.plan: CutPlan | None = None
         self._fitting = 0.0
-        self.fields = CutFields(self._unit, begin_with)
+        self.fields = OptionFields(self._unit, begin_with)
         self.fields.changed.connect(self._follow)
         self.found = WrappedLabel()
         self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -198,7 +83,7 @@ class CutterDialog(QDialog):
         buttons.rejected.connect(self.reject)
         about, below = WrappedLabel(tr(_ABOUT)), filled(QHBoxLayout(), STRETCH, self.fit)
         filled(QVBoxLayout(self), about, self.fields, self.found, below, buttons)
-        self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
+        self.setMinimumWidth(80 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
         self._background = Background(later("simulation of the cut"), self)
         self._background.progressed.connect(self._show_progress)
@@ -213,7 +98,7 @@ class CutterDialog(QDialog):
             self.found.clear()
             return
         self._begin(tr("Simulating the cut: {percent} %"))
-        self._background.begin(partial(_plan, self._session, self.fields.cutting))
+        self._background.begin(partial(_plan, self._session, self.fields.options))
 
     def trace(self) -> None:
         if self.plan is not None:
@@ -272,7 +157,7 @@ class CutterDialog(QDialog):
         self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
-        self.fields.enter("tool_radius", float(f"{self._fitting:.2g}"))
+        self.fields.enter(cutter=None, tool_radius=float(f"{self._fitting:.2g}"))
 
     def _accept(self) -> None:
         if self.plan is not None:
@@ -307,8 +192,8 @@ def words_of(steps: "Sequence[MadeStep]") -> str:
 
 def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
     from workbench.design.session import result_of  # late: take long to import
+    from workbench.files.export.cut_plan import planning
     from workbench.files.export.design import Design
-    from workbench.files.export.gcode import planning
 
     design = Design(session.scene, result_of(session), cutting=cutting)
     return task.follow(planning(design), task.report)

@@ -10,6 +10,7 @@ from typing import Any
 
 from workbench.cli.parser import (
     add_json,
+    add_options,
     add_other,
     add_plot,
     add_session,
@@ -20,14 +21,13 @@ from workbench.cli.parser import (
     length,
     place,
     positive,
-    ranged,
     rays,
     stops,
     tolerances_of,
 )
 from workbench.errors import Refused
 from workbench.files.export.formats import ENDINGS
-from workbench.files.export.options import MESH_UNITS, MILLIMETRES, PLAIN, RANGES, Cutting
+from workbench.files.export.options import GROUPS, MESH_UNITS, MILLIMETRES, PLAIN, Cutting
 
 _ENTRANCE = ".entrance"
 LIGHTS = ("daylight", "led", "equal")
@@ -255,7 +255,7 @@ def add_export(commands: Any) -> None:
         [
             "export flame.freeform flame.step flame.irradiance.tiff",
             "export flame.freeform flame.stl flame.3mf --chord-error 1e-5",
-            "export flame.freeform flame.nc --tool-radius 0.05 --scallop 1e-4",
+            'export flame.freeform flame.nc --dialect fanuc --cutter "1 mm" --roughing flat',
         ],
         _run_export,
     )
@@ -275,31 +275,8 @@ def add_export(commands: Any) -> None:
         default=MILLIMETRES,
         help="of .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
-    for name, metavar, does in (
-        ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
-        ("scallop", "LENGTH", "ridges between its cuts [1e-4 of the larger half-width]"),
-        ("safe-height", "LENGTH", "how far above the cuts the cutter travels [its diameter]"),
-    ):
-        parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
-    parser.add_argument(
-        "--rim", metavar="LENGTH", type=length, default=0.0, help="stock around it, to clamp it by"
-    )
-    for name, metavar, does in (
-        ("feed", "MM/MIN", "speed of cuts"),
-        ("plunge-feed", "MM/MIN", "speed into the stock"),
-        ("spindle-speed", "RPM", "speed of the spindle"),
-        ("dwell", "SECONDS", "wait for the spindle"),
-    ):
-        field = name.replace("-", "_")
-        least, most, unit = allowed = RANGES[field]
-        parser.add_argument(
-            f"--{name}",
-            metavar=metavar,
-            type=ranged(*allowed),
-            default=getattr(PLAIN, field),
-            help=f"{does}, {least:g} to {most:g} {unit} [%(default)g]",
-        )
-    parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
+    for group in GROUPS:
+        add_options(parser, group)
     parser.add_argument(
         "--element",
         metavar="NAME",
@@ -310,17 +287,7 @@ def add_export(commands: Any) -> None:
 def _run_export(options: argparse.Namespace) -> None:
     from workbench.cli.output import export
 
-    cutting = Cutting(
-        options.tool_radius,
-        options.scallop,
-        options.rim,
-        options.safe_height,
-        options.feed,
-        options.plunge_feed,
-        options.spindle_speed,
-        options.dwell,
-        options.negative,
-    )
+    cutting = Cutting.of(vars(options))
     unit, element = options.mesh_unit, options.element
     export(options.session, options.files, options.chord_error, cutting, unit, element)
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, NoReturn
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tracing import MOST_RAYS
 from workbench.errors import Refused
+from workbench.files.export.options import OptionGroup
 
 _MOST_DISTANCES = 1000
 _MOST_STOPS = 20.0
@@ -89,20 +90,6 @@ def length(text: str) -> float:
     if math.isinf(number):
         raise argparse.ArgumentTypeError(f"{text!r}; a finite number is needed")
     return number
-
-
-def ranged(least: float, most: float, unit: str) -> Callable[[str], float]:
-    """Return a parser of numbers within a range."""
-
-    def read(text: str) -> float:
-        with suppress(ValueError):
-            if least <= (number := float(text)) <= most:
-                return number
-        raise argparse.ArgumentTypeError(
-            f"{text!r}; a number from {least:g} to {most:,g} {unit} is needed"
-        )
-
-    return read
 
 
 def stops(text: str) -> float:
@@ -278,6 +265,27 @@ def add_other(parser: argparse.ArgumentParser) -> None:
         choices=["mitsuba"],
         help="have Mitsuba 3 trace the lens too (optional extra)",
     )
+
+
+def add_options(parser: argparse.ArgumentParser, group: type[OptionGroup]) -> None:
+    """Add an argument for each option of a group; the group itself checks the values."""
+    listed = parser.add_argument_group(group.called)
+    usual = group()
+    for name, about in group.about():
+        flag, tip = f"--{name.replace('_', '-')}", about.tip.rstrip(".")
+        tip = tip[0].lower() + tip[1:]
+        if about.kind is bool:
+            listed.add_argument(flag, action="store_true", help=tip)
+            continue
+        value = getattr(usual, name)
+        listed.add_argument(
+            flag,
+            metavar=about.unit.upper() or ("NAME" if about.choices else "N"),
+            type=about.kind,
+            choices=list(about.choices) or None,
+            help=f"{tip} [{about.empty or value}]".replace("%", "%%")
+            + (f"; {', '.join(about.choices)}" if about.choices else ""),
+        )
 
 
 def add_tolerance_sizes(parser: argparse.ArgumentParser) -> None:

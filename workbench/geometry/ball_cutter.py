@@ -194,11 +194,13 @@ class CutFace:
         blocked = blocked_radius(face, 1 / concave)
         return min(_FITTING * (1 / concave if blocked is None else blocked[0]), largest)
 
-    def plan_raster(self, radius: float, scallop: float, most: int) -> Steps[Raster]:
+    def plan_raster(
+        self, radius: float, scallop: float, most: int, step: float = 0.0
+    ) -> Steps[Raster]:
         """Find cuts with a scallop height of at most ``scallop``, in short steps.
 
-        Lengths in scene units; the height is exact on a plane across the axis. Raise Refused for
-        more than ``most`` moves.
+        Lengths in scene units; the height is exact on a plane across the axis. x and y of the cuts
+        are multiples of ``step``, if it is given. Raise Refused for more than ``most`` moves.
         """
         ends, counts = self._counts(radius, scallop)
         if math.prod(counts) > most:
@@ -212,8 +214,8 @@ class CutFace:
                     most=most,
                 ),
             )
-        (x_end, y_end), (m_x, m_y) = ends, counts
-        x, y = np.linspace(-x_end, x_end, 2 * m_x - 1), np.linspace(-y_end, y_end, m_y)
+        x, y = (_spread(end, count, step) for end, count in zip(ends, counts, strict=True))
+        x = np.linspace(x[0], x[-1], 2 * len(x) - 1)
         tips = yield from self._tips(x, y, radius)
         tip, middles = tips[::2], tips[1::2]
         # A straight cut runs below a convex offset surface: raise its ends. The distance of a
@@ -271,9 +273,11 @@ class CutFace:
             steps = spans * max(_IN_SPAN, math.ceil(r / (spans * (x[1] - x[0]))))
             beyond = math.ceil((end + reach - r) / (2 * r / steps)) + 1
             lattice.append(np.arange(-beyond, steps + beyond + 1) * (2 * r / steps) - r)
-        across, up = (self._basis(axis, places) for axis, places in enumerate(lattice))
-        centre = -((across @ self.heights) @ up.T)
-        return BallSweep(lattice[0], lattice[1], centre, radius)
+        return BallSweep(lattice[0], lattice[1], -self.extended(*lattice), radius)
+
+    def extended(self, x: Array, y: Array) -> Array:
+        """Heights (m_x, m_y) on a grid; beyond the edge the face continues with its slope there."""
+        return np.asarray((self._basis(0, x) @ self.heights) @ self._basis(1, y).T)
 
     def _basis(self, axis: int, places: Array) -> csr_array:
         r, knots, degree = self.net.half_width[axis], self.net.knots[axis], self.net.degree[axis]
@@ -307,6 +311,15 @@ class CutErrors(NamedTuple):
     cut_off: float
     left: float
     place: tuple[float, float]
+
+
+def _spread(end: float, count: int, step: float) -> Array:
+    """Places from ``-end`` or before to ``end`` or beyond, as many as ``count`` or more."""
+    apart = 2 * end / (count - 1)
+    if step:  # half of an even number of steps is a whole number of them
+        apart = 2 * step * max(math.floor(apart / (2 * step) * (1 + 1e-12)), 1)
+        count = math.ceil(2 * end / apart * (1 - 1e-12)) + 1
+    return np.asarray(apart * (np.arange(count) - (count - 1) / 2))
 
 
 def _polynomials(knots: Array, degree: int) -> Array:

@@ -203,4 +203,4 @@ def coarse_tables(monkeypatch):
 def small_grids(monkeypatch):
     """Grids of few points, which are written and read sooner."""
     monkeypatch.setattr("workbench.files.export.design._STEPS", 40)
-    monkeypatch.setattr("workbench.files.export.gcode._FINE", 5e-3)
+    monkeypatch.setattr("workbench.files.export.cut_plan._FINE", 5e-3)

@@ -7,7 +7,8 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QToolButton
 
 from tests.ui.hands import fill
-from ui.manufacture.cutter import AskCutting, CutFields, CutterDialog, keep_cutting
+from ui.manufacture.cutter import AskCutting, CutterDialog
+from ui.manufacture.option_fields import OptionFields, keep_options
 from workbench.files.export.options import PLAIN, Cutting
 
 COARSE = Cutting(tool_radius=0.2, scallop=0.002)
@@ -37,7 +38,7 @@ def dialog(open_dialog):
 
 @pytest.fixture
 def fields(qtbot):
-    found = CutFields("cm", PLAIN)
+    found = OptionFields("cm", PLAIN)
     qtbot.addWidget(found)
     found.show()
     return found
@@ -55,7 +56,7 @@ def held(monkeypatch):
         finally:
             left.set()
 
-    monkeypatch.setattr("workbench.files.export.gcode.planning", endless)
+    monkeypatch.setattr("workbench.files.export.cut_plan.planning", endless)
     return left
 
 
@@ -95,13 +96,21 @@ class TestFields:
         ):
             enter(qtbot, fields, name, text)
         fields.rows["negative"].box.click()
-        assert fields.cutting == Cutting(0.15, 0.002, 0.0, None, 900, 90, 12_000, 2.5, True)
+        assert fields.options == Cutting(
+            tool_radius=0.15,
+            scallop=0.002,
+            feed=900,
+            plunge_feed=90,
+            spindle_speed=12_000,
+            dwell=2.5,
+            negative=True,
+        )
 
     def test_an_empty_field_is_the_default(self, fields, qtbot):
         for name in ("tool_radius", "feed"):
             enter(qtbot, fields, name, "7")
             enter(qtbot, fields, name, "")
-        assert fields.cutting == PLAIN
+        assert fields.options == PLAIN
         placeholders = [fields.rows[n].editors[n].placeholderText() for n in ("scallop", "feed")]
         assert placeholders == ["automatic", "600"]
 
@@ -112,7 +121,7 @@ class TestFields:
             ("spindle_speed", "0", "0 rpm; from 1 to 200,000 rpm"),
         ):
             row = enter(qtbot, fields, name, text)
-            assert why in row.refusal and fields.refused and fields.cutting == PLAIN
+            assert why in row.refusal and fields.refused and fields.options == PLAIN
 
 
 def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
@@ -125,8 +134,8 @@ def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     open_dialog, qtbot, monkeypatch
 ):
-    monkeypatch.setattr("workbench.files.export.gcode._EXCESS", -1.0)
-    dialog = open_dialog(Cutting(0.9, 0.002))
+    monkeypatch.setattr("workbench.files.export.cut_plan._EXCESS", -1.0)
+    dialog = open_dialog(Cutting(tool_radius=0.9, scallop=0.002))
     qtbot.waitUntil(dialog.fit.isVisible)
     assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.found.text()
     assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
@@ -149,11 +158,11 @@ def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dia
 
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
-    keep_cutting(settings, "cm", COARSE)
+    keep_options(settings, "cm", COARSE)
     ask = AskCutting(window, settings)
-    answer(lambda dialog: (dialog.fields.enter("feed", 700.0), answer(CutterDialog._accept, fits)))
+    answer(lambda dialog: (dialog.fields.enter(feed=700.0), answer(CutterDialog._accept, fits)))
     plan = ask(designed)
-    assert plan.cutting == Cutting(0.2, 0.002, feed=700.0)
+    assert plan.cutting == Cutting(tool_radius=0.2, scallop=0.002, feed=700.0)
     answer(lambda dialog: dialog.reject())
     assert ask(designed) is None
     answer(CutterDialog._accept, fits)
@@ -163,7 +172,7 @@ def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings
 def test_the_pane_and_the_menu_lead_to_g_code(
     display, open_window, designed, settings, qtbot, tmp_path
 ):
-    keep_cutting(settings, designed.scene.unit, Cutting(0.3, 0.003))
+    keep_options(settings, designed.scene.unit, Cutting(tool_radius=0.3, scallop=0.003))
     window = open_window(designed)
     window.build()
     written = tmp_path / "lens.nc"
@@ -175,6 +184,6 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     assert {window.commands["export"], window.commands["report"]} <= buttons.keys()
     buttons[window.commands["cut"]].click()
     qtbot.waitUntil(lambda: not window.exporter.background.busy)
-    assert "(ball cutter: radius 3.0000)" in written.read_text()
+    assert "ball cutter: radius 3.0000)" in written.read_text()
     assert str(written) in window.messages.text
     assert window.commands["cut"].isEnabled()

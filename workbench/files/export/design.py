@@ -19,7 +19,7 @@ from workbench.progress import Progress, no_progress
 from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
-    from workbench.files.export.gcode import CutPlan
+    from workbench.files.export.cut_plan import CutPlan
 
 METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
 """Units of length in metres."""

@@ -6,6 +6,7 @@ Writers are imported when they are needed: torch and OpenCASCADE import slowly.
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
@@ -27,6 +28,8 @@ class Format(NamedTuple):
     content: str | None = None  # function of that module that computes the written data
     front: bool = False  # whether the file holds the freeform front face, not the last face
     takes_unit: bool = False  # whether lengths are in the requested unit of meshes
+    # Function of that module that refuses a design or its options before anything is written.
+    check: str | None = None
     of_element: bool = True  # whether the file holds one element, not the whole train or its light
 
     @property
@@ -38,13 +41,21 @@ class Format(NamedTuple):
 
     def load(self) -> "Callable[[Design, BinaryIO], Deviation]":
         """Import and return the function that writes a design."""
-        module = import_module(f"{__package__}.{self.module}")
+        module = self._load_module()
         write: Callable[[Any, BinaryIO], Deviation] = getattr(module, self.writer)
         content = (lambda design: design) if self.content is None else getattr(module, self.content)
         return lambda design, file: write(content(design.at_front(self.front)), file)
 
+    def check_design(self, design: "Design") -> None:
+        """Raise Refused if the options of a design cannot be written."""
+        if self.check is not None:
+            getattr(self._load_module(), self.check)(design.at_front(self.front))
 
-GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode")
+    def _load_module(self) -> ModuleType:
+        return import_module(f"{__package__}.{self.module}")
+
+
+GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode", check="check_cutting")
 """The format with options of cutting."""
 
 OF_ONE_FACE = (

@@ -1,70 +1,38 @@
-"""G-code of a finishing pass over a face, in millimetres, for GRBL and LinuxCNC.
+"""G-code of roughing and finishing passes over a face, in millimetres.
 
-Zero is the middle of the lens at the highest point of the face, which looks up. A face that looks
-to -z is turned over about the y axis, and so is a mould. Programs are simulated as written: the
-ball is swept over the rounded numbers, and the result is compared with the face.
+Programs are simulated as written: the ball is swept over the rounded numbers, and the result is
+compared with the face; see `workbench.files.export.cut_plan`.
 """
 
-import math
-from collections.abc import Iterator
-from functools import partial
+from collections.abc import Callable, Iterator
+from itertools import islice
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
-from workbench.errors import Refused
+from workbench.arrays import Array
+from workbench.files.export.cut_plan import CutPlan, check_cutting, looks_up, planning
 from workbench.files.export.design import Design, Deviation
-from workbench.files.export.options import Cutting
-from workbench.geometry.ball_cutter import CutErrors, CutFace, Raster
-from workbench.messages import Message
+from workbench.files.export.dialects import DIALECTS
+from workbench.files.export.options import CUTTERS, ORIGINS
 from workbench.powers import written
 from workbench.progress import Steps, finished, within
 
-# Allowed excess and gouge over the scallop height: a cutter that fits has less.
-_EXCESS, _GOUGE = 2.0, 0.25
-_FINE = 1e-4  # scallop height over the larger half-width
-_DIGITS = 5  # decimals; GRBL reads seven digits
-_MOST = 1_000_000  # moves of a program
-_LEAST_SCALLOP = 1e-4  # mm, unless requested: programs round to 1e-5 mm
-_TRIES, _SMALLER = 8, 0.6  # radii tried for a default cutter, and their ratio
+__all__ = ["check_cutting", "write_gcode", "writing"]
 _PLANNED = 0.8  # part of the time for planning
+_AT_ONCE = 2000  # lines
+_CLEAR = 2.0  # mm, least height of travel by default
+_MOST_NUMBER = 99_990  # N words begin again after it
 
 
-class CutPlan(NamedTuple):
-    """Cuts of a face as written, and the errors that they leave."""
+class Pass(NamedTuple):
+    """Cuts by one cutter: polylines of its tip (n, 3), scene units, each begun from above."""
 
-    cutting: Cutting  # requested options
-    raster: Raster  # the cuts, scene units
-    scallop: float  # planned scallop height
-    errors: CutErrors  # errors of the simulated cut, at a place in the scene's x and y
-    top: float  # highest control height of the face as it lies below the cutter
-    # Radius of a ball that fits everywhere, scene units; infinite if unknown, as for a face with
-    # edges.
-    default_radius: float
-
-    def refusal(self, unit: str) -> Refused | None:
-        """Return why the plan is not written: the cutter leaves more than scallops; else None."""
-        cut_off, left, (x, y) = self.errors
-        if cut_off <= _GOUGE * self.scallop and left <= _EXCESS * self.scallop:
-            return None
-        return Refused(
-            "tool_radius",
-            Message(
-                "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
-                "cuts off {cut}; {cure}",
-                radius=written(self.raster.radius, unit),
-                left=written(left, unit, 2),
-                x=written(x, unit),
-                y=written(y, unit),
-                cut=written(max(cut_off, 0), unit, 2),
-                cure=self._cure(unit),
-            ),
-        )
-
-    def _cure(self, unit: str) -> Message:
-        if self.default_radius < self.raster.radius:
-            return Message("one of {fitting} fits", fitting=written(self.default_radius, unit, 2))
-        return Message("a smaller one or higher ridges are needed")
+    name: str
+    tool: int
+    path_mode: str
+    safe_height: float  # of travel, scene units
+    cuts: Callable[[], Iterator[Array]]
 
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
@@ -80,15 +48,13 @@ def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
     refusal = plan.refusal(design.unit)
     if refusal is not None:
         raise refusal
-    begin = 0.0 if design.plan else _PLANNED
-    lines = "".join(f"{line}\n" for line in _header(design, plan))
-    file.write(lines.encode("ascii"))
-    rows = len(plan.raster.y)
-    for row in range(rows):
-        lines = "".join(f"{line}\n" for line in _cuts(design, plan, row))
-        file.write(lines.encode("ascii"))
-        yield begin + (1 - begin) * (row + 1) / rows
-    file.write("".join(f"{line}\n" for line in _footer(design, plan)).encode("ascii"))
+    begin, size = 0.0 if design.plan else _PLANNED, plan.raster.tip.size
+    lines = _numbered(_program(design, plan), DIALECTS[plan.cutting.dialect].numbers)
+    count = 0
+    while some := list(islice(lines, _AT_ONCE)):
+        file.write("".join(f"{line}\n" for line in some).encode("ascii"))
+        count += len(some)
+        yield begin + (1 - begin) * min(count / size, 1.0)
     radius, (cut_off, left, _) = plan.raster.radius, plan.errors
     return Deviation(
         "simulated cut off by",
@@ -96,103 +62,139 @@ def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
         design.unit,
         f"cutter radius {written(radius, design.unit)}, ridges up to "
         f"{written(left, design.unit, 2)}, cut into the face up to "
-        f"{written(max(cut_off, 0), design.unit, 2)}; a finishing pass in mm, zero at the top of "
-        f"the face, spindle {plan.cutting.spindle_speed:g} rpm",
+        f"{written(max(cut_off, 0), design.unit, 2)}; "
+        f"{'a finishing pass' if plan.rough is None else 'roughing and finishing'} in mm for "
+        f"{DIALECTS[plan.cutting.dialect].name}, zero: {ORIGINS[plan.cutting.origin]}, spindle "
+        f"{plan.cutting.spindle_speed:g} rpm",
     )
 
 
-def planning(design: Design) -> Steps[CutPlan]:
-    """Plan and simulate the cuts of a design's face, in short steps.
-
-    A default cutter that does not fit is replaced by smaller ones. Raise Refused if there are too
-    many cuts.
-    """
-    heights = design.heights if _looks_up(design) > 0 else -design.heights[::-1]
-    face = CutFace(design.net, heights, design.outline)
-    asked = design.cutting.tool_radius or design.scene.run.min_tool_radius
-    radius, begin, plan = asked or face.default_radius, 0.0, None
-    for _ in range(1 if asked else _TRIES):
-        plan = yield from within(_planning(design, face, radius), partial(_from, begin))
-        if plan.refusal(design.unit) is None:
-            break
-        radius, begin = _SMALLER * radius, _from(begin, 0.5)
-    assert plan is not None
-    return plan
-
-
-def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
-    mm, top = 1e3 * design.metres, float(face.heights.max())
-    fine = max(_FINE * max(design.net.half_width), _LEAST_SCALLOP / mm)
-    scallop = design.cutting.scallop or face.finest_scallop(radius, min(fine, radius / 2), _MOST)
-    raster = yield from within(face.plan_raster(radius, scallop, _MOST), lambda done: 0.8 * done)
-    raster = _rounded(raster, mm, top)
-    errors = yield from within(face.cut_errors(raster), lambda done: 0.8 + 0.2 * done)
-    if _looks_up(design) < 0:  # the face lies turned over about y
-        errors = errors._replace(place=(-errors.place[0], errors.place[1]))
-    fitting = face.default_radius if min(design.net.degree) > 1 else math.inf
-    return CutPlan(design.cutting, raster, scallop, errors, top, fitting)
+def _program(design: Design, plan: CutPlan) -> Iterator[str]:
+    """Lines of the program, without numbers."""
+    dialect, cutting = DIALECTS[plan.cutting.dialect], plan.cutting
+    yield from dialect.begin.format(program=cutting.program).splitlines()
+    for comment in _comments(design, plan):
+        yield f"({comment.upper() if dialect.capitals else comment})"
+    yield dialect.modes
+    tool = 0
+    for each in passes(design, plan):
+        change = dialect.next_tool if tool else dialect.first_tool
+        yield f"({each.name.upper() if dialect.capitals else each.name})"
+        if each.tool != tool and change:
+            yield from change.format(tool=each.tool).splitlines()
+        lengths = dialect.lengths.format(tool=each.tool) if each.tool != tool else ""
+        tool = each.tool
+        yield from _pass(design, plan, each, lengths)
+    yield from dialect.end.splitlines()
 
 
-def _looks_up(design: Design) -> int:
-    return -design.outward if design.cutting.negative else design.outward
-
-
-def _from(begin: float, done: float) -> float:
-    return begin + (1 - begin) * done
-
-
-def _rounded(raster: Raster, millimetres: float, top: float) -> Raster:
-    step = 10.0**-_DIGITS / millimetres
-    x, y = np.round(raster.x / step) * step, np.round(raster.y / step) * step
-    return Raster(x, y, top + np.ceil((raster.tip - top) / step) * step, raster.radius)
-
-
-def _heights(design: Design, plan: CutPlan) -> tuple[float, float]:
-    raster, mm = plan.raster, 1e3 * design.metres
-    clear = plan.cutting.safe_height or 2 * raster.radius
-    highest = float(raster.tip.max()) - plan.top
-    return mm * (highest + clear), mm * highest
-
-
-def _header(design: Design, plan: CutPlan) -> Iterator[str]:
-    cutting, raster, mm = plan.cutting, plan.raster, 1e3 * design.metres
-    width, height = (2 * mm * (r + cutting.rim) for r in design.net.half_width)
-    deep = mm * (plan.top - float(raster.tip.min()))
-    safe, highest = _heights(design, plan)
-    yield f"(freeform {'mould' if cutting.negative else 'face'}: finishing pass)"
-    yield "(units: mm, mm/min, rpm, s)"
-    yield f"(ball cutter: radius {mm * raster.radius:.4f})"
-    yield f"(ridges between cuts: {mm * plan.scallop:.5f} high)"
-    yield f"(spindle speed: {cutting.spindle_speed:g} clockwise)"
-    yield f"(dwell until the spindle is at speed: {cutting.dwell:g})"
-    yield f"(feed: {cutting.feed:g}, plunge feed: {cutting.plunge_feed:g})"
-    yield f"(safe height: Z{safe:.4f}, {safe - highest:.4f} over the highest cut)"
-    yield f"(stock {width:.3f} x {height:.3f}, cut {deep:.3f} deep)"
-    yield f"(clamping rim {mm * cutting.rim:.3f} wide: keep holders off the cuts)"
-    x_end, y_end = (mm * float(each[-1]) for each in (raster.x, raster.y))
-    yield f"(middle of the ball goes to X +-{x_end:.3f}, Y +-{y_end:.3f})"
-    yield "(zero: middle of the lens, highest control point of the face)"
-    yield "G21 G90 G17 G94"
-    yield f"G0 Z{safe:.4f}"
+def _pass(design: Design, plan: CutPlan, each: Pass, lengths: str) -> Iterator[str]:
+    dialect, cutting = DIALECTS[plan.cutting.dialect], plan.cutting
+    mm, places = 1e3 * design.metres, f".{dialect.decimals}f"
+    safe = f"G0 Z{mm * (each.safe_height - plan.zero[2]):{places}}"
+    yield each.path_mode
+    yield f"{lengths} {safe}".strip()
     yield f"M3 S{cutting.spindle_speed:g}"
-    yield f"G4 P{cutting.dwell:g}"
-    x, y, z = (mm * float(each) for each in (raster.x[0], raster.y[0], raster.tip[0, 0] - plan.top))
-    yield f"G0 X{x:.5f} Y{y:.5f}"
-    yield f"G1 Z{z:.5f} F{cutting.plunge_feed:g}"
-
-
-def _cuts(design: Design, plan: CutPlan, row: int) -> Iterator[str]:
-    mm, turn = 1e3 * design.metres, 1 if row % 2 == 0 else -1
-    x = (mm * plan.raster.x)[::turn].tolist()
-    z = (mm * (plan.raster.tip[:, row] - plan.top))[::turn].tolist()
-    y = mm * float(plan.raster.y[row])
-    feed = f" F{plan.cutting.feed:g}" if row == 0 else ""
-    for at, deep in zip(x, z, strict=True):
-        yield f"G1 X{at:.5f} Y{y:.5f} Z{deep:.5f}{feed}"
-        feed = ""
-
-
-def _footer(design: Design, plan: CutPlan) -> Iterator[str]:
-    yield f"G0 Z{_heights(design, plan)[0]:.4f}"
+    yield dialect.dwell.format(seconds=cutting.dwell)
+    if cutting.coolant:
+        yield "M8"
+    for cut in each.cuts():
+        # Numbers are multiples of the least increment up to rounding.
+        numbers = (mm * (cut - plan.zero)).tolist()
+        (x, y, z), *rest = numbers
+        yield f"G0 X{x:{places}} Y{y:{places}}"
+        yield f"G1 Z{z:{places}} F{cutting.plunge_feed:g}"
+        feed = f" F{cutting.feed:g}"
+        for x, y, z in rest:
+            yield f"G1 X{x:{places}} Y{y:{places}} Z{z:{places}}{feed}"
+            feed = ""
+        yield safe
+    if cutting.coolant:
+        yield "M9"
     yield "M5"
-    yield "M30"
+
+
+def passes(design: Design, plan: CutPlan) -> Iterator[Pass]:
+    """Passes of a program, in their order."""
+    dialect, raster, rough = DIALECTS[plan.cutting.dialect], plan.raster, plan.rough
+    clear = plan.cutting.safe_height or max(2 * raster.radius, _CLEAR / (1e3 * design.metres))
+    safe = max(float(raster.tip.max()), plan.stock.top) + clear
+    tool = 1
+    if rough is not None:
+        cutter = rough.roughing.cutter
+        # The control may leave the path by half of what roughing leaves.
+        tolerance = f"{1e3 * design.metres * rough.allowance / 2:.4f}"
+        mode = dialect.blended.format(tolerance=tolerance)
+        top, down = plan.stock.top, rough.step_down
+        yield Pass("roughing", tool, mode, safe, lambda: rough.roughing.lines(top, down))
+        if not cutter.ball or cutter.radius != raster.radius:
+            tool += 1
+    yield Pass("finishing", tool, dialect.exact, safe, lambda: _finishing(plan))
+
+
+def _finishing(plan: CutPlan) -> Iterator[Array]:
+    """One cut to and fro."""
+    raster = plan.raster
+    x, y = np.meshgrid(raster.x, raster.y)
+    places = np.stack([x, y, raster.tip.T], axis=-1)
+    places[1::2] = places[1::2, ::-1]
+    yield places.reshape(-1, 3)
+
+
+def _comments(design: Design, plan: CutPlan) -> Iterator[str]:
+    cutting, raster, mm = plan.cutting, plan.raster, 1e3 * design.metres
+    width, height = (2 * mm * r for r in plan.stock.half_width)
+    thick = mm * (plan.stock.top - plan.stock.bottom)
+    deep = mm * (plan.stock.top - float(raster.tip.min()))
+    safe = mm * (next(passes(design, plan)).safe_height - plan.zero[2])
+    yield f"freeform {'mould' if cutting.negative else 'face'} of {_plain(design.optic.name)}"
+    if looks_up(design) != 1:
+        yield "the part lies turned over about the y axis"
+    yield "units: mm, mm/min, rpm, s"
+    if plan.rough is not None:
+        rough, kind = plan.rough, plan.rough.roughing.cutter
+        least, most = (mm * left for left in rough.left)
+        end = "ball" if kind.ball else "flat"
+        yield f"roughing by a {end} cutter: radius {mm * kind.radius:.4f}"
+        yield f"levels {mm * rough.step_down:.4f} apart, allowance {mm * rough.allowance:.4f}"
+        yield f"roughing leaves {least:.3f} to {most:.3f} along Z; its cutter plunges"
+    yield f"{_name_of(mm * raster.radius)}ball cutter: radius {mm * raster.radius:.4f}"
+    yield f"ridges between cuts: {mm * plan.scallop:.5f} high"
+    yield f"spindle speed: {cutting.spindle_speed:g} clockwise"
+    yield f"dwell until the spindle is at speed: {cutting.dwell:g}"
+    yield f"feed: {cutting.feed:g}, plunge feed: {cutting.plunge_feed:g}"
+    yield f"safe height: Z{safe:.4f}"
+    yield f"stock {width:.3f} x {height:.3f} x {thick:.3f}, cut {deep:.3f} deep"
+    yield f"stock above the face: {mm * cutting.stock_above:.3f}"
+    yield f"clamping rim {mm * cutting.rim:.3f} wide: keep holders off the cuts"
+    ends = (mm * (float(each[0]) - zero) for each, zero in _with_zero(plan))
+    others = (mm * (float(each[-1]) - zero) for each, zero in _with_zero(plan))
+    (x_0, y_0), (x_1, y_1) = ends, others
+    yield f"middle of the ball goes from X{x_0:.3f} Y{y_0:.3f} to X{x_1:.3f} Y{y_1:.3f}"
+    yield f"zero: {ORIGINS[cutting.origin]}"
+
+
+def _with_zero(plan: CutPlan) -> Iterator[tuple[Array, float]]:
+    yield from zip((plan.raster.x, plan.raster.y), plan.zero[:2], strict=True)
+
+
+def _name_of(radius: float) -> str:
+    for name, size in CUTTERS.items():
+        if abs(size / 2 - radius) < 1e-9 * size:
+            return f"{name} "
+    return ""
+
+
+def _plain(name: str) -> str:
+    """A name in the signs that all controls read."""
+    return "".join(c if c.isascii() and c.isalnum() else "-" for c in name)
+
+
+def _numbered(lines: Iterator[str], step: int) -> Iterator[str]:
+    """Put N words before blocks; comments, program numbers and the ends of the tape have none."""
+    number = 0
+    for line in lines:
+        if step and line[0] not in "(%O":
+            number = number % _MOST_NUMBER + step
+            line = f"N{number} {line}"
+        yield line

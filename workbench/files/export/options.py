@@ -1,10 +1,16 @@
-"""Options of exports: cutting of a face, and the unit of meshes."""
+"""Options of exports with their titles, tips, units and limits, and the unit of meshes.
+
+The command line and the window follow from them. The command line imports this module for each
+command, so it imports nothing slow.
+"""
 
 import math
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, ClassVar, Self
 
 from workbench.errors import Refused, shown
+from workbench.files.export.dialects import DIALECTS
 from workbench.messages import Message
 from workbench.units import METRES
 
@@ -12,85 +18,237 @@ MILLIMETRES, SCENE_UNIT = "mm", "scene"
 """The unit that programs assume for a mesh without a unit, and the name for the scene's unit."""
 MESH_UNITS = (*METRES, SCENE_UNIT)
 """Names of units of a mesh."""
-
-
-class Range(NamedTuple):
-    """Range of a field of `Cutting`, and its unit."""
-
-    least: float
-    most: float
-    unit: str
-
-
-FEED, SPINDLE, DWELL = "mm/min", "rpm", "s"
-RANGES = {
-    "feed": Range(1, 100_000, FEED),
-    "plunge_feed": Range(1, 100_000, FEED),
-    "spindle_speed": Range(1, 200_000, SPINDLE),
-    "dwell": Range(0, 600, DWELL),
+LENGTH, FEED, SPINDLE, SECONDS = "length", "mm/min", "rpm", "s"
+"""Units of options; a length is in the scene's unit."""
+INCH = 25.4
+CUTTERS = {f"{size:g} mm": size for size in (0.5, 1, 1.5, 2, 3, 4, 5, 6)} | {
+    f"1/{part} inch": INCH / part for part in (64, 32, 16, 8, 4)
 }
-"""Ranges of fields that are not lengths."""
+"""Diameters of standard cutters by name, mm."""
+ORIGINS = {
+    "top": "middle, top of the stock",
+    "corner": "corner of least x and y, top of the stock",
+    "bottom": "middle, bottom of the stock",
+}
+"""Places of the zero of a program, and what each is called."""
+ROUGHING = {"none": "none", "flat": "flat cutter", "ball": "ball cutter"}
+"""Kinds of roughing, and what each is called."""
 
 
 @dataclass(frozen=True)
-class Cutting:
-    """Options of a finishing pass with a ball cutter; lengths in scene units.
+class Option:
+    """Description of an option."""
 
-    Raise Refused if a value is out of range, or scallops are as high as the ball's radius.
+    title: str  # of its field in the window
+    tip: str
+    empty: str = ""  # what counts where it is left out, for users
+    unit: str = ""
+    kind: type = float
+    least: float = 0.0
+    most: float = math.inf
+    above: bool = False  # whether the least value is excluded
+    choices: Mapping[str, str] = field(default_factory=dict)  # values and their titles
+    needs: tuple[str, tuple[str, ...]] | None = None  # another option, and values it counts with
 
-    Attributes
-    ----------
-    tool_radius : float, optional
-        Radius of the ball; by default that of the scene's cutter, or one that fits.
-    scallop : float, optional
-        Largest scallop height; 1e-4 of the larger half-width by default.
-    rim : float
-        Width of stock around the lens, for clamping.
-    safe_height : float, optional
-        Height of travel above the highest cut; the cutter's diameter by default.
-    feed : float
-        Speed of cuts, mm/min.
-    plunge_feed : float
-        Speed into the stock, mm/min.
-    spindle_speed : float
-        Revolutions per minute.
-    dwell : float
-        Seconds that the cutter waits above the stock for the spindle.
-    negative : bool
-        Whether a mould of the face is cut.
-    """
+    def check(self, name: str, value: Any) -> None:
+        """Raise Refused with what is allowed, unless a value is."""
+        if self.choices:
+            if value not in self.choices:
+                known = ", ".join(self.choices)
+                reason = Message("{value}; one of {known}", value=shown(value), known=known)
+                raise Refused(name, reason)
+        elif self.kind is not bool and not self._holds(value):
+            raise Refused(name, self._allowed(value))
 
-    tool_radius: float | None = None
-    scallop: float | None = None
-    rim: float = 0.0
-    safe_height: float | None = None
-    feed: float = 600.0
-    plunge_feed: float = 150.0
-    spindle_speed: float = 10_000.0
-    dwell: float = 3.0
-    negative: bool = False
+    def _holds(self, value: float) -> bool:
+        if not math.isfinite(value) or (self.above and value == self.least):
+            return False
+        return self.least <= value <= self.most
+
+    def _allowed(self, value: float) -> Message:
+        if math.isfinite(self.most):
+            return Message(
+                "{value:g} {unit}; from {least:g} to {most:,} {unit}",
+                value=value,
+                unit=self.unit,
+                least=self.least,
+                most=self.most,
+            )
+        if self.above:
+            return Message("{value:g}; a length above 0", value=value)
+        return Message("{value:g}; a length of 0 or more", value=value)
+
+
+def option(title: str, tip: str, default: Any = None, **more: Any) -> Any:
+    """Return a field of a group of options."""
+    return field(default=default, metadata={"about": Option(title, tip, **more)})
+
+
+def _length(title: str, tip: str, default: Any = None, **more: Any) -> Any:
+    return option(title, tip, default, **{"unit": LENGTH, "above": default is None, **more})
+
+
+def _choice(title: str, tip: str, choices: Mapping[str, str], default: Any, **more: Any) -> Any:
+    return option(title, tip, default, kind=str, choices=choices, **more)
+
+
+@dataclass(frozen=True)
+class OptionGroup:
+    """Options of a format. Raise Refused if a value is out of range."""
+
+    called: ClassVar[str]  # of the group
+
+    @classmethod
+    def about(cls) -> Iterator[tuple[str, Option]]:
+        """Names of the options and their descriptions."""
+        for each in fields(cls):
+            yield each.name, each.metadata["about"]
+
+    @classmethod
+    def of(cls, stated: Mapping[str, Any]) -> Self:
+        """Return options of stated values; other names and None are ignored."""
+        names = [name for name, _ in cls.about()]
+        return cls(**{name: stated[name] for name in names if stated.get(name) is not None})
 
     def __post_init__(self) -> None:
-        for name in ("tool_radius", "scallop", "safe_height"):
+        for name, about in self.about():
             value = getattr(self, name)
-            if value is not None and not 0 < value < math.inf:
-                raise Refused(name, Message("{value:g}; a length above 0", value=value))
-        if not 0 <= self.rim < math.inf:
-            raise Refused("rim", Message("{value:g}; a length of 0 or more", value=self.rim))
-        for name, (least, most, unit) in RANGES.items():
-            value = getattr(self, name)
-            if not least <= value <= most:
-                raise Refused(
-                    name,
-                    Message(
-                        "{value:g} {unit}; from {least:g} to {most:,} {unit}",
-                        value=value,
-                        unit=unit,
-                        least=least,
-                        most=most,
-                    ),
-                )
+            if value is not None:
+                about.check(name, value)
+
+
+_WITH_ROUGHING = "roughing", ("flat", "ball")
+_NAMES = {name: name for name in CUTTERS}
+
+
+@dataclass(frozen=True)
+class Cutting(OptionGroup):
+    """Options of G-code; lengths in scene units.
+
+    Raise Refused if a value is out of range, or scallops are as high as the ball's radius.
+    """
+
+    called: ClassVar[str] = "G-code"
+
+    dialect: str = _choice(
+        "Control",
+        "Control that reads the program: its preamble, path modes, dwell, decimals and end.",
+        {name: each.name for name, each in DIALECTS.items()},
+        "grbl",
+    )
+    cutter: str | None = _choice(
+        "Ball cutter",
+        "Standard ball cutter by its diameter. Empty: the radius of the design task, or the "
+        "largest standard cutter that fits everywhere.",
+        _NAMES,
+        None,
+        empty="automatic",
+    )
+    tool_radius: float | None = _length(
+        "Tool radius",
+        "Radius of another ball cutter than a standard one.",
+        empty="standard",
+    )
+    scallop: float | None = _length(
+        "Scallop height",
+        "Largest height of material between neighbouring passes. Empty: 1e-4 of the larger "
+        "half-width, or more where that needs too many moves.",
+        empty="automatic",
+    )
+    rim: float = _length("Fixture rim", "Width of stock around the part for clamping.", 0.0)
+    stock_above: float = _length(
+        "Stock above", "Height of stock above the highest point of the face.", 0.0
+    )
+    stock: float | None = _length(
+        "Stock thickness",
+        "Whole height of the stock. Empty: as much as part and cuts need.",
+        empty="automatic",
+    )
+    origin: str = _choice(
+        "Zero", "Place of the stock where the program's coordinates are zero.", ORIGINS, "top"
+    )
+    roughing: str = _choice(
+        "Roughing", "Passes at levels of z that clear the stock above the face.", ROUGHING, "none"
+    )
+    roughing_cutter: str | None = _choice(
+        "Roughing cutter",
+        "Standard cutter of the roughing passes by its diameter. Empty: the largest one that is "
+        "at most a quarter as wide as the part.",
+        _NAMES,
+        None,
+        empty="automatic",
+        needs=_WITH_ROUGHING,
+    )
+    step_down: float | None = _length(
+        "Step down",
+        "Distance of two levels of roughing. Empty: half of the cutter's radius.",
+        empty="automatic",
+        needs=_WITH_ROUGHING,
+    )
+    allowance: float | None = _length(
+        "Allowance",
+        "Material that roughing leaves everywhere for finishing. Empty: a tenth of the cutter's "
+        "radius.",
+        empty="automatic",
+        needs=_WITH_ROUGHING,
+    )
+    safe_height: float | None = _length(
+        "Travel height",
+        "Height of rapid moves above the stock and above the highest cut. Empty: 2 mm, or the "
+        "ball's diameter if that is more.",
+        empty="automatic",
+    )
+    feed: float = option(
+        "Feed", "Feed rate while cutting.", 600.0, unit=FEED, least=1, most=100_000
+    )
+    plunge_feed: float = option(
+        "Plunge feed",
+        "Feed rate while plunging into the stock.",
+        150.0,
+        unit=FEED,
+        least=1,
+        most=100_000,
+    )
+    spindle_speed: float = option(
+        "Spindle speed",
+        "Revolutions per minute, clockwise.",
+        10_000.0,
+        unit=SPINDLE,
+        least=1,
+        most=200_000,
+    )
+    dwell: float = option(
+        "Dwell",
+        "Wait above the stock until the spindle has reached its speed.",
+        3.0,
+        unit=SECONDS,
+        most=600,
+    )
+    coolant: bool = option("Coolant", "Switch flood coolant on and off.", False, kind=bool)
+    program: int = option(
+        "Program number",
+        "Number of the program, where the control has numbers.",
+        1,
+        kind=int,
+        least=1,
+        most=9999,
+        needs=("dialect", ("fanuc",)),
+    )
+    negative: bool = option(
+        "Cut a mould of the face",
+        "Cut the negative of the face, turned over about the y axis.",
+        False,
+        kind=bool,
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
         radius, ridge = self.tool_radius, self.scallop
+        if radius is not None and self.cutter is not None:
+            raise Refused(
+                "tool_radius",
+                Message("a standard cutter is chosen as well; give one of them"),
+            )
         if radius is not None and ridge is not None and ridge >= radius:
             raise Refused(
                 "scallop",
@@ -103,7 +261,9 @@ class Cutting:
 
 
 PLAIN = Cutting()
-"""Default options."""
+"""Default options of G-code."""
+GROUPS: tuple[type[OptionGroup], ...] = (Cutting,)
+"""All groups of options."""
 
 
 def mesh_unit_of(asked: str, scene_unit: str) -> str:

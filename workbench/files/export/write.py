@@ -18,7 +18,7 @@ from workbench.progress import Progress, no_progress
 from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
-    from workbench.files.export.gcode import CutPlan
+    from workbench.files.export.cut_plan import CutPlan
 
 
 class Written(NamedTuple):
@@ -72,6 +72,7 @@ def export(
             raise Refused(
                 str(path), Message("the entrance face is not freeform, so it has no file")
             )
+        found.check_design(design)
         check_writable(path)
     failures: list[tuple[Path, Refused | RunFailed]] = []
     for path, found in zip(paths, formats, strict=True):

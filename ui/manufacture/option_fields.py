@@ -1,0 +1,108 @@
+"""Fields of a group of export options, from its description, and what was chosen last."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import asdict
+from typing import Any, Generic, Literal, TypeVar
+
+from annotated_types import Ge, Le
+from PySide6.QtCore import QSettings, Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
+
+from ui.panels.edits import Edit
+from ui.panels.entries import RowEntries, edited_data
+from ui.panels.fields import Row, described
+from ui.panels.rows import value_row
+from ui.words import tr
+from workbench.errors import Refused
+from workbench.files.export.options import FEED, LENGTH, Option, OptionGroup
+from workbench.scene import LENGTH as OF_SCENE
+from workbench.scene import Measure
+from workbench.scene.fields import Choices, LeftOut
+
+Group = TypeVar("Group", bound=OptionGroup)
+_COLUMN = 12  # rows of a column
+
+
+class OptionFields(QWidget, Generic[Group]):
+    """A field for each option of a group."""
+
+    changed = Signal()
+
+    def __init__(self, unit: str, begin_with: Group) -> None:
+        super().__init__()
+        self._group, self._usual = type(begin_with), type(begin_with)()
+        self._data = {"unit": unit, **asdict(begin_with)}
+        self.rows = {row.path: row for row in self._made()}
+        columns = QHBoxLayout(self)
+        columns.setContentsMargins(0, 0, 0, 0)
+        columns.setSpacing(24)
+        for number, row in enumerate(self.rows.values()):
+            if number % _COLUMN == 0:
+                form = QFormLayout()
+                form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+                columns.addLayout(form, 1)
+            form.addRow(row.label, row)
+            row.reserve_unit(FEED)
+        rows = list(self.rows.values())
+        self._entries = RowEntries(rows, lambda: self._data, self._enter, self)
+        self._entries.changed.connect(self.changed)
+        self._entries.show()
+
+    @property
+    def refused(self) -> bool:
+        return self._entries.refused
+
+    @property
+    def options(self) -> Group:
+        return self._group.of(self._data)
+
+    def enter(self, **values: object) -> None:
+        name = next(iter(values))
+        self._entries.edit(Edit(name, name, values))
+
+    def _enter(self, edits: list[Edit]) -> None:
+        data = edited_data(self._data, edits)
+        self._group.of(data)
+        self._data = data
+
+    def _made(self) -> Iterator[Row]:
+        for name, about in self._group.about():
+            row = _row(name, about, getattr(self._usual, name))
+            if about.needs is not None:
+                other, values = about.needs
+                row.only_if(lambda data, o=other, v=values: data[o] in v)  # type: ignore[misc]
+            yield row
+
+
+def _row(name: str, about: Option, usual: Any) -> Row:
+    marks: list[object] = [OF_SCENE if about.unit == LENGTH else Measure(about.unit)]
+    kind: Any = about.kind
+    if about.choices:
+        kind = Literal[tuple(about.choices)]
+        marks.append(Choices(tuple((each, tr(title)) for each, title in about.choices.items())))
+    elif about.kind is not bool:
+        marks += [Ge(about.least), Le(about.most)]
+    optional = usual is None or not (about.choices or about.kind is bool)
+    if optional:
+        marks.append(LeftOut(about.empty or format(usual, "g")))
+    return value_row(
+        described(tr(about.title), tr(about.tip), kind, *marks, optional=optional), name
+    )
+
+
+def kept_options(settings: QSettings, unit: str, group: type[Group]) -> Group:
+    """Return what was chosen last for designs of this unit, or the defaults."""
+    try:
+        return group.of(json.loads(str(settings.value(_key(unit, group), "{}"))))
+    except (ValueError, TypeError, Refused):  # not this program's, or not this version's
+        return group()
+
+
+def keep_options(settings: QSettings, unit: str, options: OptionGroup) -> None:
+    """Keep what was chosen, for the next dialog and the next start."""
+    settings.setValue(_key(unit, type(options)), json.dumps(asdict(options)))
+
+
+def _key(unit: str, group: type[OptionGroup]) -> str:
+    return f"{group.__name__.lower()}/{unit}"
