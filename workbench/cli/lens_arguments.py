@@ -27,7 +27,7 @@ from workbench.cli.parser import (
 )
 from workbench.errors import Refused
 from workbench.files.export.formats import ENDINGS
-from workbench.files.export.options import GROUPS, MESH_UNITS, MILLIMETRES, PLAIN, Cutting
+from workbench.files.export.options import GROUPS, MESH_UNITS, MILLIMETRES, PLAIN
 
 _ENTRANCE = ".entrance"
 LIGHTS = ("daylight", "led", "equal")
@@ -275,7 +275,7 @@ def add_export(commands: Any) -> None:
         default=MILLIMETRES,
         help="of .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
-    for group in GROUPS:
+    for group in GROUPS.values():
         add_options(parser, group)
     parser.add_argument(
         "--element",
@@ -287,9 +287,8 @@ def add_export(commands: Any) -> None:
 def _run_export(options: argparse.Namespace) -> None:
     from workbench.cli.output import export
 
-    cutting = Cutting.of(vars(options))
     unit, element = options.mesh_unit, options.element
-    export(options.session, options.files, options.chord_error, cutting, unit, element)
+    export(options.session, options.files, options.chord_error, vars(options), unit, element)
 
 
 def add_pictures(commands: Any) -> None:

@@ -3,12 +3,12 @@
 import math
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from datetime import datetime
 from functools import partial
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from tqdm import tqdm
 
@@ -17,7 +17,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Pace, Snapshot
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.export.options import Cutting
+from workbench.files.export.options import GROUPS
 from workbench.files.export.write import export as write_all
 from workbench.files.session import read_session
 from workbench.pictures import PICTURES, write_images
@@ -29,18 +29,22 @@ def export(
     path: Path,
     files: Sequence[Path],
     chord_error: float | None,
-    cutting: Cutting,
+    options: Mapping[str, Any],
     mesh_unit: str,
     element: str | None = None,
 ) -> None:
     """Write the lens of a session and its light in the formats of the file endings.
 
-    Raise Refused if the session has no valid lens, or a file cannot be written, or, after the other
-    files, a format cannot hold the data; RunFailed if an external library fails.
+    ``options`` are values of all groups of options. Raise Refused if the session has no valid lens,
+    or a file cannot be written, or, after the other files, a format cannot hold the data; RunFailed
+    if an external library fails.
     """
+    groups = {name: group.of(options) for name, group in GROUPS.items()}
     session = read_session(path)
     result_of(session, str(path))
-    for written in write_all(session, files, chord_error, cutting, mesh_unit, element=element):
+    for written in write_all(
+        session, files, chord_error, mesh_unit=mesh_unit, element=element, **groups
+    ):
         print(written.sentence, flush=True)
 
 

@@ -269,22 +269,23 @@ def add_other(parser: argparse.ArgumentParser) -> None:
 
 def add_options(parser: argparse.ArgumentParser, group: type[OptionGroup]) -> None:
     """Add an argument for each option of a group; the group itself checks the values."""
-    listed = parser.add_argument_group(group.called)
-    usual = group()
+    listed, usual = parser.add_argument_group(group.called), group()
     for name, about in group.about():
-        flag, tip = f"--{name.replace('_', '-')}", about.tip.rstrip(".")
+        flag = f"--{name.replace('_', '-')}"
+        tip = about.tip.rstrip(".").replace("Empty: ", "Default: ")
         tip = tip[0].lower() + tip[1:]
         if about.kind is bool:
             listed.add_argument(flag, action="store_true", help=tip)
             continue
         value = getattr(usual, name)
+        choices = f"; {', '.join(about.choices)}" if about.choices else ""
+        default = "" if value is None else f" [{value if about.choices else format(value, 'g')}]"
         listed.add_argument(
             flag,
             metavar=about.unit.upper() or ("NAME" if about.choices else "N"),
             type=about.kind,
             choices=list(about.choices) or None,
-            help=f"{tip} [{about.empty or value}]".replace("%", "%%")
-            + (f"; {', '.join(about.choices)}" if about.choices else ""),
+            help=f"{tip}{choices}{default}".replace("%", "%%"),
         )
 
 

@@ -11,7 +11,7 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
+from workbench.files.export.options import MILLIMETRES, PLAIN, TURNING, Cutting, Turning
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
@@ -43,6 +43,7 @@ class Design:
     # Face of ``net`` and ``heights``, by its id; by default the last one of `Scene.optic`.
     face: str | None = None
     cutting: Cutting = PLAIN  # options of G-code
+    turning: Turning = TURNING  # options of diamond turning
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
     plan: "CutPlan | None" = None  # a finished plan of the cuts
     progress: Progress = no_progress  # called with the finished fraction of a slow file

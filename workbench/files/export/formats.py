@@ -64,6 +64,7 @@ OF_ONE_FACE = (
     Format((".xyz", ".asc"), "point cloud with normals", "tables", "write_points"),
     Format((".dat",), "OpticStudio grid sag", "tables", "write_grid_sag"),
     GCODE,
+    Format((".sts",), "slow tool servo table", "turning", "write_turning"),
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
     Format((".height.npy",), "height map", "maps", "write_npy", "height"),
     Format((".height.csv",), "height map", "maps", "write_csv", "height"),

@@ -66,6 +66,13 @@ class Option:
         return self.least <= value <= self.most
 
     def _allowed(self, value: float) -> Message:
+        if math.isfinite(self.most) and not self.unit:
+            return Message(
+                "{value:g}; from {least:g} to {most:,}",
+                value=value,
+                least=self.least,
+                most=self.most,
+            )
         if math.isfinite(self.most):
             return Message(
                 "{value:g} {unit}; from {least:g} to {most:,} {unit}",
@@ -262,8 +269,38 @@ class Cutting(OptionGroup):
 
 PLAIN = Cutting()
 """Default options of G-code."""
-GROUPS: tuple[type[OptionGroup], ...] = (Cutting,)
-"""All groups of options."""
+
+
+@dataclass(frozen=True)
+class Turning(OptionGroup):
+    """Options of a table for diamond turning with a slow tool servo; lengths in scene units."""
+
+    called: ClassVar[str] = "slow tool servo"
+
+    nose_radius: float | None = _length(
+        "Nose radius", "Radius of the diamond's round nose. Empty: 0.5 mm.", empty="0.5 mm"
+    )
+    feed_per_turn: float | None = _length(
+        "Feed per turn",
+        "How far the tool moves to the axis during a turn. Empty: for cusps of 1e-5 of the larger "
+        "half-width.",
+        empty="automatic",
+    )
+    points_per_turn: int | None = option(
+        "Points per turn",
+        "Points of the table for each turn. Empty: as many as keep the error between them below "
+        "the chord error.",
+        kind=int,
+        least=16,
+        most=100_000,
+        empty="automatic",
+    )
+
+
+TURNING = Turning()
+"""Default options of diamond turning."""
+GROUPS: dict[str, type[OptionGroup]] = {"cutting": Cutting, "turning": Turning}
+"""All groups of options, by the names of arguments of `workbench.files.export.write.export`."""
 
 
 def mesh_unit_of(asked: str, scene_unit: str) -> str:

@@ -9,7 +9,14 @@ from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
-from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting, mesh_unit_of
+from workbench.files.export.options import (
+    MILLIMETRES,
+    PLAIN,
+    TURNING,
+    Cutting,
+    Turning,
+    mesh_unit_of,
+)
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.messages import Message
@@ -45,6 +52,7 @@ def export(
     plan: "CutPlan | None" = None,
     progress: Progress = no_progress,
     element: str | None = None,
+    turning: Turning = TURNING,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
@@ -53,7 +61,8 @@ def export(
     half-width by default; `cutting`: options of G-code; `mesh_unit`: unit of lengths in STL, OBJ,
     PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
     its own ``cutting``; `progress`: called with the finished fraction of a slow file; `element`:
-    name of the designed element that files of one element hold, the last one by default. Raises
+    name of the designed element that files of one element hold, the last one by default;
+    `turning`: options of diamond turning. Raises
     `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
     ending selects no format or a file cannot be written. At the end: if a format cannot hold the
     data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
@@ -64,7 +73,9 @@ def export(
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
     optic = designed_element(session.scene, element)
     face = optic.designed_face
-    design = Design(session.scene, result, chord_error, face, cutting, unit, plan, progress)
+    design = Design(
+        session.scene, result, chord_error, face, cutting, turning, unit, plan, progress
+    )
     formats = [format_of(path) for path in paths]
     front = optic.designed_front
     for path, found in zip(paths, formats, strict=True):
