@@ -5,19 +5,18 @@ its right, the section B–B from above below it.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.geometry.face_grids import element_sides
+from workbench.pictures.pens import AxesPen, DxfPen, Pen
 from workbench.powers import written
 from workbench.scene import Element
 from workbench.units import ratio
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
 
 _MM = 25.4  # per inch of paper
@@ -29,12 +28,15 @@ _TALLEST = 120.0  # of the views with the gap, mm of paper
 # A dimension that is too short for its text has its arrows outside; mm of paper, for each letter.
 _SHORT, _LETTER = 6.0, 1.8
 _BEYOND = 3.0  # of centre lines and extension lines, mm of paper
-_GLASS, _INK, _THIN = "#cfe3f5", "#1d232b", "#5b6470"
-_FONT = 8
+BASE, SIDE, FOOT = "D", "E", "F"
+"""Letters of the datums: the other side of the designed face, and the rim at −x and at −y."""
+_FONT, _SMALL = 8, 5
+_CORNERS = (-1, -1), (1, -1), (1, 1), (-1, 1)
+_CROSS = 0.8  # half of the size of an inspection point's cross, mm of paper
+_DATUM = 5.0  # from a side to the middle of its datum letter, mm of paper
 
 
-@dataclass(frozen=True)
-class _Section:
+class _Section(NamedTuple):
     """Outline of a section: ends along the side and depth along z, in the drawing's unit."""
 
     front: Array  # (n, 2): side, z
@@ -48,13 +50,26 @@ class _Section:
         return abs(float(self.back[at, 1] - self.front[at, 1]))
 
 
+def drawing_unit(unit: str) -> str:
+    """Return the unit of drawings of a scene's unit."""
+    return "inch" if unit == "inch" else "mm"
+
+
 class PartDrawing:
     """Drawing of an element; ``height`` is that of the picture in inches."""
 
     def __init__(
-        self, element: Element, heights: Mapping[str, Array], unit: str, width: float
+        self,
+        element: Element,
+        heights: Mapping[str, Array],
+        unit: str,
+        width: float,
+        points: Array | None = None,
     ) -> None:
-        self.unit = "inch" if unit == "inch" else "mm"
+        """``points`` (m, 2) of the front view, scene units, are marked with their numbers."""
+        self.unit = drawing_unit(unit)
+        self._points = None if points is None else float(ratio(unit, self.unit)) * points
+        self._faces_back = element.placed_faces[0].name != element.designed_face
         self._width = width * _MM
         line, middle = np.linspace(-1, 1, _SAMPLES), _SAMPLES // 2
         front, back = sides = [
@@ -84,123 +99,144 @@ class PartDrawing:
         """The scale as in "2 : 1"."""
         return f"{max(self.scale, 1):.3g} : {max(1 / self.scale, 1):.3g}"
 
+    @property
+    def chord_error(self) -> float:
+        """Largest distance of the drawn sections from the part, in the drawing's unit."""
+        sides = (side[:, 1] for each in (self._upright, self._level) for side in each)
+        return max(float(np.abs(np.diff(z, 2)).max()) / 8 for z in sides)
+
     def draw(self, figure: "FigureBase") -> None:
         """Draw on an empty figure or part of one, to scale."""
         axes = figure.subplots()
         axes.set_position((0, 0, 1, 1))
         axes.set(xlim=(0, self._width), ylim=(0, self._tall), autoscale_on=False)
         axes.set_axis_off()
+        self.draw_with(AxesPen(axes))
+
+    def write_dxf(self, file: BinaryIO) -> None:
+        """Write the drawing as DXF, with the part in full size in the drawing's unit."""
+        pen = DxfPen(1 / self._paper)
+        self.draw_with(pen)
+        pen.write(file)
+
+    def draw_with(self, pen: Pen) -> None:
+        """Draw with a pen, in mm of paper."""
         paper, (first, last) = self._paper, self._depths
         wide, high = paper * self._size
         deep = paper * (last - first)
         used = wide + _GAP + deep
         left = (self._width - used) / 2
         middle = np.array([left + wide / 2, self._tall - _MARGIN - high / 2])
-        self._draw_front(axes, middle, wide, high)
+        self._draw_front(pen, middle, wide, high)
         begin = left + wide + _GAP
-        self._draw_upright(axes, begin, middle[1], deep, high)
-        self._draw_level(axes, middle[0], middle[1] - high / 2 - _GAP, deep, wide)
+        self._draw_upright(pen, begin, middle[1], deep, high)
+        self._draw_level(pen, middle[0], middle[1] - high / 2 - _GAP, deep, wide)
 
-    def _draw_front(self, axes: "Axes", middle: Array, wide: float, high: float) -> None:
-        self._fill(axes, middle + self._paper * self._rim)
+    def _draw_front(self, pen: Pen, middle: Array, wide: float, high: float) -> None:
+        pen.outline(middle + self._paper * self._rim)
         across, up = np.array([wide / 2, 0]), np.array([0, high / 2])
-        self._centre(axes, middle - across, middle + across, "B")
-        self._centre(axes, middle - up, middle + up, "A")
+        self._centre(pen, middle - across, middle + across, "B")
+        self._centre(pen, middle - up, middle + up, "A")
         top, side = middle[1] + high / 2, middle[0] - wide / 2
         ends = (middle[0] - wide / 2, top), (middle[0] + wide / 2, top)
-        self._dimension(axes, *ends, (0, _BESIDE), self._size[0])
+        self._dimension(pen, *ends, (0, _BESIDE), self._size[0])
         ends = (side, middle[1] - high / 2), (side, middle[1] + high / 2)
-        self._dimension(axes, *ends, (-_BESIDE, 0), self._size[1])
+        self._dimension(pen, *ends, (-_BESIDE, 0), self._size[1])
+        self._datum(pen, middle - across - up / 2, (-1, 0), SIDE)
+        self._datum(pen, middle - up + across / 2, (0, -1), FOOT)
+        for number, place in enumerate(() if self._points is None else self._points):
+            at = middle + self._paper * place
+            for way in ((_CROSS, 0), (0, _CROSS)):
+                pen.line([at - way, at + way])
+            inwards = np.where(place > 0, -1, 1)
+            across = "left" if inwards[0] > 0 else "right"
+            pen.text(at + 1.5 * _CROSS * inwards, str(number + 1), _SMALL, across)
 
     def _draw_upright(
-        self, axes: "Axes", begin: float, middle: float, deep: float, high: float
+        self, pen: Pen, begin: float, middle: float, deep: float, high: float
     ) -> None:
         (first, last), section, paper = self._depths, self._upright, self._paper
 
         def at(side: float, z: float) -> tuple[float, float]:
             return begin + paper * (z - first), middle + paper * side
 
-        self._fill(axes, [at(*place) for place in section.outline])
-        self._centre(axes, (begin, middle), (begin + deep, middle), "")
+        pen.outline([at(*place) for place in section.outline])
+        self._centre(pen, (begin, middle), (begin + deep, middle), "")
         top, bottom = middle + high / 2, middle - high / 2
         self._dimension(
-            axes, (begin, top), (begin + deep, top), (0, _BESIDE), last - first, "overall "
+            pen, (begin, top), (begin + deep, top), (0, _BESIDE), last - first, "overall "
         )
         half = len(section.front) // 2
         begins, ends = ((at(*side[half])[0], bottom) for side in (section.front, section.back))
-        self._dimension(axes, begins, ends, (0, -_BESIDE), section.thickness(half), "centre ")
+        self._dimension(pen, begins, ends, (0, -_BESIDE), section.thickness(half), "centre ")
         for place, row in ((top, -1), (bottom, 0)):
-            self._edge(axes, (begin + deep + 2, place), section.thickness(row), "left")
-        self._title(axes, begin + deep / 2, bottom - _BESIDE - 8, "A–A")
+            self._edge(pen, (begin + deep + 2, place), section.thickness(row), "left")
+        base = section.front if self._faces_back else section.back
+        row = len(base) // 8
+        self._datum(pen, at(*base[row]), (-1 if self._faces_back else 1, 0), BASE)
+        self._title(pen, begin + deep / 2, bottom - _BESIDE - 8, "A–A")
 
-    def _draw_level(
-        self, axes: "Axes", middle: float, top: float, deep: float, wide: float
-    ) -> None:
+    def _draw_level(self, pen: Pen, middle: float, top: float, deep: float, wide: float) -> None:
         first, section, paper = self._depths[0], self._level, self._paper
         places = [(middle + paper * x, top - paper * (z - first)) for x, z in section.outline]
-        self._fill(axes, places)
-        self._centre(axes, (middle, top), (middle, top - deep), "")
+        pen.outline(places)
+        self._centre(pen, (middle, top), (middle, top - deep), "")
         for side, row, across in ((1, -1, "left"), (-1, 0, "right")):
             place = middle + side * (wide / 2 + 2), top - deep / 2
-            self._edge(axes, place, section.thickness(row), across)
-        self._title(axes, middle, top - deep - 8, "B–B")
+            self._edge(pen, place, section.thickness(row), across)
+        self._title(pen, middle, top - deep - 8, "B–B")
 
-    def _fill(self, axes: "Axes", places: Any) -> None:
-        x, y = np.asarray(places).T
-        axes.fill(x, y, facecolor=_GLASS, edgecolor=_INK, linewidth=1.2)
+    def _edge(self, pen: Pen, place: Any, thickness: float, across: str) -> None:
+        pen.text(place, f"edge {self._number(thickness)}", _FONT - 1, across)
 
-    def _edge(self, axes: "Axes", place: Any, thickness: float, across: str) -> None:
-        (x, y), text = place, f"edge {self._number(thickness)}"
-        axes.text(x, y, text, fontsize=_FONT - 1, color=_THIN, ha=across, va="center")
+    def _title(self, pen: Pen, x: float, y: float, text: str) -> None:
+        pen.text((x, y), text, _FONT, bold=True)
 
-    def _title(self, axes: "Axes", x: float, y: float, text: str) -> None:
-        axes.text(x, y, text, fontsize=_FONT, weight="bold", color=_INK, ha="center", va="center")
-
-    def _centre(self, axes: "Axes", start: Any, end: Any, letter: str) -> None:
+    def _centre(self, pen: Pen, start: Any, end: Any, letter: str) -> None:
         """Draw a centre line, with the letter of a section at both ends."""
         start, end = np.asarray(start), np.asarray(end)
         along = (end - start) / np.linalg.norm(end - start)
         ends = start - _BEYOND * along, end + _BEYOND * along
-        axes.plot(*np.stack(ends, -1), color=_THIN, linewidth=0.6, dashes=(12, 3, 2, 3))
+        pen.line(ends, centre=True)
         for place, way in zip(ends, (-1, 1), strict=True):
-            x, y = place + 2 * way * along
-            axes.text(x, y, letter, fontsize=_FONT, color=_THIN, ha="center", va="center")
+            if letter:
+                pen.text(place + 2 * way * along, letter, _FONT)
+
+    def _datum(self, pen: Pen, place: Any, aside: Any, letter: str) -> None:
+        """Draw the letter of a datum in a frame, with a triangle on its side."""
+        place, aside = np.asarray(place, dtype=float), np.asarray(aside, dtype=float)
+        along, middle = np.array([-aside[1], aside[0]]), place + _DATUM * aside
+        foot, half = _DATUM / 3, _DATUM / 3
+        triangle = [place - half / 2 * along, place + half / 2 * along, place + foot * aside]
+        pen.line([*triangle, triangle[0]])
+        pen.line([triangle[2], middle - half * aside])
+        frame = [middle + half * np.array(corner) for corner in _CORNERS]
+        pen.line([*frame, frame[0]])
+        pen.text(middle, letter, _FONT)
 
     def _dimension(
-        self, axes: "Axes", start: Any, end: Any, beside: Any, value: float, name: str = ""
+        self, pen: Pen, start: Any, end: Any, beside: Any, value: float, name: str = ""
     ) -> None:
         """Draw a dimension line between two places, moved aside, with its extension lines."""
         start, end, beside = np.asarray(start), np.asarray(end), np.asarray(beside, dtype=float)
         aside = beside / np.linalg.norm(beside)
         for place in (start, end):
-            line = np.stack([place + 0.8 * aside, place + beside + 1.5 * aside], -1)
-            axes.plot(*line, color=_THIN, linewidth=0.5)
+            pen.line([place + 0.8 * aside, place + beside + 1.5 * aside])
         ends, length = (start + beside, end + beside), np.linalg.norm(end - start)
         along = (end - start) / length if length else np.array([1.0, 0.0])
-        look: dict[str, Any] = {"linewidth": 0.6, "color": _THIN, "shrinkA": 0, "shrinkB": 0}
         text = f"{name}{self._number(value)}"
         upright = abs(along[1]) > abs(along[0])
         if length >= _SHORT + _LETTER * len(text):
-            axes.annotate("", ends[0], ends[1], arrowprops={"arrowstyle": "<|-|>"} | look)
+            middle = (ends[0] + ends[1]) / 2
+            for tip in ends:
+                pen.arrow(tip, middle)
             above = np.array([-1.8, 0.0]) if upright else np.array([0.0, 1.8])
-            place, across = (ends[0] + ends[1]) / 2 + above, "center"
+            place, across = middle + above, "center"
         else:
             for tip, way in zip(ends, (-1, 1), strict=True):
-                axes.annotate(
-                    "", tip, tip + 5 * way * along, arrowprops={"arrowstyle": "-|>"} | look
-                )
+                pen.arrow(tip, tip + 5 * way * along)
             place, across = ends[1] + 6 * along, "center" if upright else "left"
-        x, y = place
-        axes.text(
-            x,
-            y,
-            text,
-            fontsize=_FONT,
-            color=_INK,
-            ha=across,
-            va="center",
-            rotation=90 if upright else 0,
-        )
+        pen.text(place, text, _FONT, across, turned=upright)
 
     def _number(self, value: float) -> str:
         return written(value, digits=4)

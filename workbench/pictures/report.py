@@ -147,7 +147,7 @@ class Pages:
 
         self._blocks.append(_Block(height, between_margins))
 
-    def write(self, file: BinaryIO, title: str, dated: datetime) -> None:
+    def write(self, file: BinaryIO, title: str, dated: datetime | None = None) -> None:
         """Write the PDF; the same pages of the same date give the same bytes."""
         pages = self._paginated()
         metadata = {"Title": title, "Creator": self._foot, "CreationDate": dated}

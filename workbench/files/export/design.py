@@ -11,7 +11,15 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.export.options import MILLIMETRES, PLAIN, TURNING, Cutting, Turning
+from workbench.files.export.options import (
+    DRAWING,
+    MILLIMETRES,
+    PLAIN,
+    TURNING,
+    Cutting,
+    Drawing,
+    Turning,
+)
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
@@ -44,6 +52,7 @@ class Design:
     face: str | None = None
     cutting: Cutting = PLAIN  # options of G-code
     turning: Turning = TURNING  # options of diamond turning
+    drawing: Drawing = DRAWING  # options of drawings and inspection points
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
     plan: "CutPlan | None" = None  # a finished plan of the cuts
     progress: Progress = no_progress  # called with the finished fraction of a slow file
@@ -67,6 +76,12 @@ class Design:
     def optic(self) -> Element:
         """The element of the face."""
         return self.scene.optic if self.face is None else self.scene.focused_on(self.face).optic
+
+    @property
+    def material(self) -> str:
+        """Material of the element, or its refractive index."""
+        material = getattr(self.optic, "material", "any, with a reflecting face")
+        return material if isinstance(material, str) else f"n = {self.optic.index:.6g}"
 
     @property
     def heights(self) -> Array:

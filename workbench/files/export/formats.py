@@ -22,7 +22,8 @@ class Format(NamedTuple):
 
     endings: tuple[str, ...]  # endings of file names, in lower case
     name: str  # name for users
-    # Module of this package and its function that writes the format.
+    # Module of this package, or the full name of one that draws, and its function that writes the
+    # format.
     module: str
     writer: str
     content: str | None = None  # function of that module that computes the written data
@@ -52,9 +53,10 @@ class Format(NamedTuple):
             getattr(self._load_module(), self.check)(design.at_front(self.front))
 
     def _load_module(self) -> ModuleType:
-        return import_module(f"{__package__}.{self.module}")
+        return import_module(self.module if "." in self.module else f"{__package__}.{self.module}")
 
 
+_DRAWINGS = "workbench.pictures.part_sheet"
 GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode", check="check_cutting")
 """The format with options of cutting."""
 
@@ -65,6 +67,7 @@ OF_ONE_FACE = (
     Format((".dat",), "OpticStudio grid sag", "tables", "write_grid_sag"),
     GCODE,
     Format((".sts",), "slow tool servo table", "turning", "write_turning"),
+    Format((".inspection.csv",), "inspection points", "inspection", "write_inspection"),
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
     Format((".height.npy",), "height map", "maps", "write_npy", "height"),
     Format((".height.csv",), "height map", "maps", "write_csv", "height"),
@@ -86,6 +89,8 @@ FORMATS = (
     Format((".ply",), "PLY mesh", "meshes", "write_ply", takes_unit=True),
     Format((".3mf",), "3MF mesh", "meshes", "write_3mf", takes_unit=True),
     Format((".glb",), "glTF mesh", "meshes", "write_glb"),
+    Format((".pdf",), "part drawing", _DRAWINGS, "write_drawing"),
+    Format((".dxf",), "part drawing", _DRAWINGS, "write_dxf"),
     *OF_ONE_FACE,
     *(
         Format(endings, name, module, writer, content, of_element=False)

@@ -297,9 +297,34 @@ class Turning(OptionGroup):
     )
 
 
-TURNING = Turning()
-"""Default options of diamond turning."""
-GROUPS: dict[str, type[OptionGroup]] = {"cutting": Cutting, "turning": Turning}
+@dataclass(frozen=True)
+class Drawing(OptionGroup):
+    """Options of drawings and of the table of inspection points; lengths in scene units."""
+
+    called: ClassVar[str] = "drawing"
+
+    form_tolerance: float | None = _length(
+        "Form tolerance",
+        "Width of the zone that holds the freeform face. Empty: the drawing states none.",
+        empty="none",
+    )
+    inspection_points: int = option(
+        "Inspection points",
+        "Points of the face along each axis whose coordinates are listed.",
+        5,
+        kind=int,
+        least=2,
+        most=20,
+    )
+
+
+TURNING, DRAWING = Turning(), Drawing()
+"""Default options of diamond turning and of drawings."""
+GROUPS: dict[str, type[OptionGroup]] = {
+    "cutting": Cutting,
+    "turning": Turning,
+    "drawing": Drawing,
+}
 """All groups of options, by the names of arguments of `workbench.files.export.write.export`."""
 
 

@@ -10,10 +10,12 @@ from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.export.options import (
+    DRAWING,
     MILLIMETRES,
     PLAIN,
     TURNING,
     Cutting,
+    Drawing,
     Turning,
     mesh_unit_of,
 )
@@ -53,6 +55,7 @@ def export(
     progress: Progress = no_progress,
     element: str | None = None,
     turning: Turning = TURNING,
+    drawing: Drawing = DRAWING,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
@@ -62,7 +65,7 @@ def export(
     PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
     its own ``cutting``; `progress`: called with the finished fraction of a slow file; `element`:
     name of the designed element that files of one element hold, the last one by default;
-    `turning`: options of diamond turning. Raises
+    `turning` and `drawing`: options of diamond turning and of drawings. Raises
     `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
     ending selects no format or a file cannot be written. At the end: if a format cannot hold the
     data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
@@ -74,7 +77,7 @@ def export(
     optic = designed_element(session.scene, element)
     face = optic.designed_face
     design = Design(
-        session.scene, result, chord_error, face, cutting, turning, unit, plan, progress
+        session.scene, result, chord_error, face, cutting, turning, drawing, unit, plan, progress
     )
     formats = [format_of(path) for path in paths]
     front = optic.designed_front
