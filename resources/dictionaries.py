@@ -97,7 +97,7 @@ def _of_engine() -> Iterator[str]:
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
-    for _, option in (each for group in GROUPS.values() for each in group.about()):
+    for _, option in (each for group in GROUPS for each in group.about()):
         yield from (option.title, option.tip, option.empty, *_worded(option.choices.values()))
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)

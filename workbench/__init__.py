@@ -11,6 +11,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Cutting",
     "DesignRun",
+    "Drawing",
     "FaceArrays",
     "Refused",
     "Result",
@@ -18,6 +19,7 @@ __all__ = [
     "Scene",
     "Session",
     "Snapshot",
+    "Turning",
     "Validation",
     "Written",
     "as_made",

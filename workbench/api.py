@@ -24,7 +24,7 @@ True
 >>> save(lens, "lens.freeform")
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,7 +37,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
-from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
+from workbench.files.export.options import MILLIMETRES, Cutting, Drawing, OptionGroup, Turning
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
@@ -48,6 +48,7 @@ from workbench.scene import Scene
 __all__ = [
     "Cutting",
     "DesignRun",
+    "Drawing",
     "FaceArrays",
     "Refused",
     "Result",
@@ -55,6 +56,7 @@ __all__ = [
     "Scene",
     "Session",
     "Snapshot",
+    "Turning",
     "Validation",
     "Written",
     "as_made",
@@ -184,7 +186,7 @@ def export(
     *files: File,
     chord_error: float | None = None,
     mesh_unit: str = MILLIMETRES,
-    cutting: Cutting = PLAIN,
+    options: Sequence[OptionGroup] = (),
 ) -> list[Written]:
     """Write the lens of a session and its light.
 
@@ -200,8 +202,9 @@ def export(
     mesh_unit : str
         Unit of lengths in STL, OBJ, PLY and 3MF files: "mm", "cm", "m", "inch", or "scene" for
         that of the scene. Most programs take them for millimetres.
-    cutting : Cutting
-        Cutter, feeds and spindle of G-code.
+    options : sequence
+        Options of formats: `Cutting` of G-code, `Turning` of tables for diamond turning, `Drawing`
+        of drawings and inspection points.
 
     Returns
     -------
@@ -228,12 +231,12 @@ def export(
     A ball cutter of 0.5 mm, in the scene's unit, as G-code:
 
     >>> cutting = Cutting(tool_radius=0.05, spindle_speed=12_000, feed=800)
-    >>> written, = export(run.session, "lens.nc", cutting=cutting)
+    >>> written, = export(run.session, "lens.nc", options=[cutting])
     >>> written.format
     'G-code'
     """
     paths = [Path(file) for file in files]
-    return list(write_files(session, paths, chord_error, cutting, mesh_unit))
+    return list(write_files(session, paths, chord_error, options, mesh_unit))
 
 
 def save(session: Session, path: File) -> None:

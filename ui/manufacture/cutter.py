@@ -195,7 +195,7 @@ def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
     from workbench.files.export.cut_plan import planning
     from workbench.files.export.design import Design
 
-    design = Design(session.scene, result_of(session), cutting=cutting)
+    design = Design(session.scene, result_of(session), options=(cutting,))
     return task.follow(planning(design), task.report)
 
 

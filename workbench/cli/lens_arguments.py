@@ -275,7 +275,7 @@ def add_export(commands: Any) -> None:
         default=MILLIMETRES,
         help="of .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
-    for group in GROUPS.values():
+    for group in GROUPS:
         add_options(parser, group)
     parser.add_argument(
         "--element",

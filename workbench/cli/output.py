@@ -39,12 +39,10 @@ def export(
     or a file cannot be written, or, after the other files, a format cannot hold the data; RunFailed
     if an external library fails.
     """
-    groups = {name: group.of(options) for name, group in GROUPS.items()}
+    groups = [group.of(options) for group in GROUPS]
     session = read_session(path)
     result_of(session, str(path))
-    for written in write_all(
-        session, files, chord_error, mesh_unit=mesh_unit, element=element, **groups
-    ):
+    for written in write_all(session, files, chord_error, groups, mesh_unit, element=element):
         print(written.sentence, flush=True)
 
 

@@ -149,8 +149,8 @@ class PartDrawing:
             for way in ((_CROSS, 0), (0, _CROSS)):
                 pen.line([at - way, at + way])
             inwards = np.where(place > 0, -1, 1)
-            across = "left" if inwards[0] > 0 else "right"
-            pen.text(at + 1.5 * _CROSS * inwards, str(number + 1), _SMALL, across)
+            end = "left" if inwards[0] > 0 else "right"
+            pen.text(at + 1.5 * _CROSS * inwards, str(number + 1), _SMALL, end)
 
     def _draw_upright(
         self, pen: Pen, begin: float, middle: float, deep: float, high: float

@@ -4,6 +4,7 @@ from typing import BinaryIO
 
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.inspection import Inspection
+from workbench.files.export.options import Drawing
 from workbench.pictures import report
 from workbench.pictures.part_drawing import BASE, FOOT, SIDE, PartDrawing
 from workbench.powers import written
@@ -59,7 +60,7 @@ def _rows(design: Design, unit: str) -> list[tuple[str, str]]:
         (f"datums {SIDE}, {FOOT}", f"{whole} at −x and at −y"),
         ("width, height", " × ".join(f"{2 * factor * r:.4g}" for r in optic.half_width)),
     ]
-    tolerance = design.drawing.form_tolerance
+    tolerance = design.chosen(Drawing).form_tolerance
     stated = "not stated"
     if tolerance is not None:
         stated = f"profile within {written(factor * tolerance, unit)} to {BASE}, {SIDE}, {FOOT}"

@@ -60,7 +60,7 @@ class AxesPen:
     def arrow(self, tip: Array, tail: Array) -> None:
         """See `Pen.arrow`."""
         look = {"linewidth": 0.6, "color": _THIN, "shrinkA": 0, "shrinkB": 0}
-        self._axes.annotate("", tip, tail, arrowprops={"arrowstyle": "-|>"} | look)
+        self._axes.annotate("", tuple(tip), tuple(tail), arrowprops={"arrowstyle": "-|>"} | look)
 
     def text(
         self,
@@ -72,8 +72,10 @@ class AxesPen:
         bold: bool = False,
     ) -> None:
         """See `Pen.text`."""
+        x, y = place
         self._axes.text(
-            *place,
+            x,
+            y,
             text,
             fontsize=size,
             weight="bold" if bold else "normal",

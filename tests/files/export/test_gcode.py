@@ -85,7 +85,7 @@ def program(make_design):
         net = {"lens.control_points": [40, 30], "unit": cutting.pop("unit", "cm")}
         x, y = make_design(net).net.positions
         cutting = Cutting(**{"tool_radius": 0.2, "scallop": 0.002, **cutting})
-        design = replace(make_design(net, height(x[:, None], y)), cutting=cutting)
+        design = replace(make_design(net, height(x[:, None], y)), options=(cutting,))
         file = io.BytesIO()
         return file, write_gcode(design, file), design
 
@@ -204,7 +204,7 @@ def test_cutters_along_the_written_moves_leave_the_face(make_design, make_mirror
         design = make_design(changes | outline, heights)
     cutting = Cutting(scallop=0.01, stock_above=0.05, **WAYS[side])
     file = io.BytesIO()
-    deviation = write_gcode(replace(design, cutting=cutting), file)
+    deviation = write_gcode(replace(design, options=(cutting,)), file)
     text, mm = file.getvalue().decode(), 1e3 * design.metres
     radii = [float(each) for each in re.findall(r"radius (\S+)\)", text, re.IGNORECASE)]
     cutters = [(radius, True) for radius in radii]
@@ -230,7 +230,7 @@ def test_cutters_along_the_written_moves_leave_the_face(make_design, make_mirror
         assert above[0].min() > allowance
         stated = re.search(r"leaves (\S+) to (\S+) along", text, re.IGNORECASE).groups()
         assert float(stated[0]) < above[0].min() + 0.05 and above[0].max() < float(stated[1]) + 0.05
-    assert finished(planning(replace(design, cutting=cutting))).errors.cut_off * mm < 1e-3
+    assert finished(planning(replace(design, options=(cutting,)))).errors.cut_off * mm < 1e-3
 
 
 def test_travel_is_above_the_stock_and_plunges_are_straight(program):

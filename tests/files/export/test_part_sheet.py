@@ -25,7 +25,7 @@ def make_part(make_design):
         changes = {"lens.half_width": [1.0, 0.5]} | (changes or {})
         heights = net_of(make_design(changes).scene, wedge)
         drawing = Drawing(**options)
-        return replace(make_design(changes, heights), face="lens.back", drawing=drawing)
+        return replace(make_design(changes, heights), face="lens.back", options=(drawing,))
 
     return make
 

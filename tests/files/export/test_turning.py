@@ -19,7 +19,7 @@ def table(make_design, write):
     def do(height, turning=SMALL, **changes):
         net = {"lens.control_points": [40, 30], **changes}
         x, y = make_design(net).net.positions
-        design = replace(make_design(net, height(x[:, None], y)), turning=turning)
+        design = replace(make_design(net, height(x[:, None], y)), options=(turning,))
         name = f"{turning.feed_per_turn}.sts"
         path, deviation = write(write_turning, design, name)
         angle, radius, z = np.loadtxt(path).T

@@ -10,8 +10,8 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QInputDialog, QMessageBox
 
 from workbench.design.limits import HeightLimits
+from workbench.files.export.cut_plan import planning
 from workbench.files.export.design import Design
-from workbench.files.export.gcode import planning
 from workbench.files.export.options import Cutting
 from workbench.progress import finished
 
@@ -140,8 +140,8 @@ def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held
 def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
     window, designed, tmp_path, qtbot, monkeypatch
 ):
-    cutting = Cutting(0.2, 0.002)
-    plan = finished(planning(Design(designed.scene, designed.result, cutting=cutting)))
+    cutting = Cutting(tool_radius=0.2, scallop=0.002)
+    plan = finished(planning(Design(designed.scene, designed.result, options=(cutting,))))
     begun = threading.Event()
 
     def endless(design, file):

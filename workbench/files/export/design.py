@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -11,15 +11,7 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.export.options import (
-    DRAWING,
-    MILLIMETRES,
-    PLAIN,
-    TURNING,
-    Cutting,
-    Drawing,
-    Turning,
-)
+from workbench.files.export.options import MILLIMETRES, Cutting, OptionGroup
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
@@ -29,6 +21,7 @@ from workbench.scene import Element, Scene
 if TYPE_CHECKING:
     from workbench.files.export.cut_plan import CutPlan
 
+Group = TypeVar("Group", bound=OptionGroup)
 METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
 """Units of length in metres."""
 
@@ -50,10 +43,9 @@ class Design:
     chord_error: float | None = None
     # Face of ``net`` and ``heights``, by its id; by default the last one of `Scene.optic`.
     face: str | None = None
-    cutting: Cutting = PLAIN  # options of G-code
-    turning: Turning = TURNING  # options of diamond turning
-    drawing: Drawing = DRAWING  # options of drawings and inspection points
+    options: tuple[OptionGroup, ...] = ()  # stated groups of options of formats
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
+    verified: str | None = None  # error by the independent check, for users
     plan: "CutPlan | None" = None  # a finished plan of the cuts
     progress: Progress = no_progress  # called with the finished fraction of a slow file
 
@@ -76,6 +68,15 @@ class Design:
     def optic(self) -> Element:
         """The element of the face."""
         return self.scene.optic if self.face is None else self.scene.focused_on(self.face).optic
+
+    def chosen(self, group: type[Group]) -> Group:
+        """Return the stated options of a group, or their defaults."""
+        return next((each for each in self.options if isinstance(each, group)), group())
+
+    @property
+    def cutting(self) -> Cutting:
+        """Options of G-code."""
+        return self.chosen(Cutting)
 
     @property
     def material(self) -> str:

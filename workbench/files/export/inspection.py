@@ -6,6 +6,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.files.export.design import Design, Deviation
+from workbench.files.export.options import Drawing
 from workbench.files.export.tables import rounding, write_table
 
 _WITHIN = 0.9  # of the square that is mapped onto the outline
@@ -20,7 +21,7 @@ class Inspection(NamedTuple):
     @classmethod
     def of(cls, design: Design) -> "Inspection":
         """Return the points of a design's face."""
-        count = design.drawing.inspection_points
+        count = design.chosen(Drawing).inspection_points
         line = np.linspace(-_WITHIN, _WITHIN, count)
         x, y, z, p, q = design.net.over(design.outline, line, line, design.heights)
         length = design.outward * np.sqrt(1 + p**2 + q**2)

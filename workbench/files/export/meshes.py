@@ -111,9 +111,9 @@ def write_3mf(design: Design, file: BinaryIO) -> Deviation:
     face = Tessellation.of(design)
     body = face.body(design.in_mesh_unit)
     with ZipFile(file, "w") as package:
-        package.writestr(_entry("[Content_Types].xml"), _TYPES)
-        package.writestr(_entry("_rels/.rels"), _RELATIONS)
-        with package.open(_entry("3D/3dmodel.model"), "w") as model:
+        package.writestr(zip_entry("[Content_Types].xml"), _TYPES)
+        package.writestr(zip_entry("_rels/.rels"), _RELATIONS)
+        with package.open(zip_entry("3D/3dmodel.model"), "w") as model:
             model.write(_BEGIN.format(unit=_3MF_UNITS[design.mesh_unit]).encode())
             model.writelines(
                 f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>\n'.encode()
@@ -128,7 +128,8 @@ def write_3mf(design: Design, file: BinaryIO) -> Deviation:
     return face.deviation(design)
 
 
-def _entry(name: str) -> ZipInfo:
+def zip_entry(name: str) -> ZipInfo:
+    """Entry of a zip with a fixed time: the same content gives the same file."""
     entry = ZipInfo(name)
     entry.compress_type = ZIP_DEFLATED
     return entry

@@ -318,14 +318,8 @@ class Drawing(OptionGroup):
     )
 
 
-TURNING, DRAWING = Turning(), Drawing()
-"""Default options of diamond turning and of drawings."""
-GROUPS: dict[str, type[OptionGroup]] = {
-    "cutting": Cutting,
-    "turning": Turning,
-    "drawing": Drawing,
-}
-"""All groups of options, by the names of arguments of `workbench.files.export.write.export`."""
+GROUPS: tuple[type[OptionGroup], ...] = (Cutting, Turning, Drawing)
+"""All groups of options."""
 
 
 def mesh_unit_of(asked: str, scene_unit: str) -> str:

@@ -15,6 +15,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.export.cut_plan import looks_up
 from workbench.files.export.design import Design, Deviation
+from workbench.files.export.options import Turning
 from workbench.files.export.tables import write_table
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Outline
@@ -102,7 +103,7 @@ class Spiral(NamedTuple):
     per_turn: int
 
     @property
-    def count(self) -> int:
+    def size(self) -> int:
         """Number of its points."""
         return math.ceil(self.begin / self.feed * self.per_turn) + 1
 
@@ -117,11 +118,11 @@ def write_turning(design: Design, file: BinaryIO) -> Deviation:
     up, mm = looks_up(design), 1e3 * design.metres
     heights = design.heights if up > 0 else -design.heights[::-1]
     fitting = CutFace(design.net, heights, design.outline).default_radius
-    nose = design.turning.nose_radius or min(_NOSE / mm, fitting)
+    nose = design.chosen(Turning).nose_radius or min(_NOSE / mm, fitting)
     face = TurnedFace(design.net, heights, design.outline, nose)
     _check_nose(design, face)
     spiral = _spiral(design, face)
-    numbers = np.arange(spiral.count, dtype=float)
+    numbers = np.arange(spiral.size, dtype=float)
     angle, radius = spiral.at(numbers)
     top = float(heights.max())
     z = np.round(mm * (face.tip(angle, radius) - top), _DIGITS)
@@ -155,21 +156,21 @@ def write_turning(design: Design, file: BinaryIO) -> Deviation:
 
 def _spiral(design: Design, face: TurnedFace) -> Spiral:
     """Return the spiral with the fewest points that keep the chord error, or as requested."""
-    turning, half = design.turning, max(design.net.half_width)
+    turning, half = design.chosen(Turning), max(design.net.half_width)
     feed = turning.feed_per_turn or math.sqrt(8 * face.nose * _CUSP * half)
     # The tool begins clear of the part.
     begin = float(np.hypot(*face.outline.boundary(720).T).max()) + face.nose
     per_turn = turning.points_per_turn or _FEWEST
     while True:
         spiral = Spiral(begin, feed, per_turn)
-        if spiral.count > _MOST:
+        if spiral.size > _MOST:
             raise Refused(
                 "feed_per_turn",
                 Message(
                     "{feed} takes {points:,} points, more than {most:,}; a larger one, or fewer "
                     "points per turn",
                     feed=written(feed, design.unit),
-                    points=spiral.count,
+                    points=spiral.size,
                     most=_MOST,
                 ),
             )
@@ -185,7 +186,7 @@ def _bound(face: TurnedFace, spiral: Spiral, samples: int, tip: Array | None = N
 
     The distance of a convex curve to its chord is nowhere more than twice that in the middle.
     """
-    number = np.unique(np.linspace(0, spiral.count - 2, samples).astype(int))
+    number = np.unique(np.linspace(0, spiral.size - 2, samples).astype(int))
     angle, radius = spiral.at(number + 0.5)
     x, y = radius * np.cos(angle), radius * np.sin(angle)
     number = number[face.outline.contains(x, y)]

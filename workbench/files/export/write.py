@@ -4,21 +4,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from workbench.design.session import result_of
+from workbench.design.session import result_of, verified_error
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
-from workbench.files.export.options import (
-    DRAWING,
-    MILLIMETRES,
-    PLAIN,
-    TURNING,
-    Cutting,
-    Drawing,
-    Turning,
-    mesh_unit_of,
-)
+from workbench.files.export.options import MILLIMETRES, OptionGroup, mesh_unit_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.messages import Message
@@ -49,23 +40,21 @@ def export(
     session: Session,
     paths: Sequence[Path],
     chord_error: float | None = None,
-    cutting: Cutting = PLAIN,
+    options: Sequence[OptionGroup] = (),
     mesh_unit: str = MILLIMETRES,
     plan: "CutPlan | None" = None,
     progress: Progress = no_progress,
     element: str | None = None,
-    turning: Turning = TURNING,
-    drawing: Drawing = DRAWING,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
     `session`: a session with a lens; `paths`: files to write; their endings select the formats;
     `chord_error`: largest distance of a mesh from the exit face, scene units; 1e-4 of the larger
-    half-width by default; `cutting`: options of G-code; `mesh_unit`: unit of lengths in STL, OBJ,
-    PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
-    its own ``cutting``; `progress`: called with the finished fraction of a slow file; `element`:
-    name of the designed element that files of one element hold, the last one by default;
-    `turning` and `drawing`: options of diamond turning and of drawings. Raises
+    half-width by default; `options`: groups of options of formats; `mesh_unit`: unit of lengths in
+    STL, OBJ, PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this
+    lens, with its own options of G-code; `progress`: called with the finished fraction of a slow
+    file; `element`: name of the designed element that files of one element hold, the last one by
+    default. Raises
     `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
     ending selects no format or a file cannot be written. At the end: if a format cannot hold the
     data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
@@ -75,9 +64,11 @@ def export(
     check_body(session.scene, result.state.heights)
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
     optic = designed_element(session.scene, element)
+    checks = (run.verified for run in session.runs if run.result.state.heights == session.heights)
+    verified = next((verified_error(each) for each in checks if each is not None), None)
     face = optic.designed_face
     design = Design(
-        session.scene, result, chord_error, face, cutting, turning, drawing, unit, plan, progress
+        session.scene, result, chord_error, face, tuple(options), unit, verified, plan, progress
     )
     formats = [format_of(path) for path in paths]
     front = optic.designed_front
