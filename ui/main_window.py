@@ -26,7 +26,7 @@ from ui.document.document import Document
 from ui.files.actions import Answer, FileActions, RecentFiles
 from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
-from ui.manufacture.cutter import AskCutting
+from ui.manufacture.cutter import AskOptions
 from ui.manufacture.plan import PlanDialog
 from ui.run.control import NO_LENS, CurrentLens
 from ui.window.docks import EarlyParts
@@ -85,7 +85,7 @@ class MainWindow(QMainWindow):
         self.files = FileActions(document, lens, recent, messages, dialogs, self)
         self.files.offer = self._chosen.offer
         self.exporter = Exporter(document, lens, messages, dialogs, self)
-        self.exporter.ask_cutting = AskCutting(self, settings)
+        self.exporter.ask_options = AskOptions(self, settings)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
         early.shelf.follow(self.exporter.background, self.reporter.background)
         self.sweep: SweepDialog | None = None  # once it was asked for

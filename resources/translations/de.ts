@@ -2085,108 +2085,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Tool radius</source>
-            <translation>Werkzeugradius</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius of the ball cutter. Empty: the radius of the design task, or the largest that fits everywhere.</source>
-            <translation>Radius des Kugelfräsers. Leer: der Radius der Aufgabe oder der größte, der überall passt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Scallop height</source>
-            <translation>Rillenhöhe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
-            <translation>Größte Höhe des Materials zwischen benachbarten Bahnen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wenn das zu viele Bewegungen braucht.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Clamping rim</source>
-            <translation>Spannrand</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Width of stock around the lens for clamping.</source>
-            <translation>Breite des Rohteils um die Linse zum Spannen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Travel height</source>
-            <translation>Verfahrhöhe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>the ball's diameter</source>
-            <translation>der Kugeldurchmesser</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Height of rapid moves above the highest cut.</source>
-            <translation>Höhe der Eilgänge über dem höchsten Schnitt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>automatic</source>
-            <translation>automatisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed</source>
-            <translation>Vorschub</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed rate while cutting.</source>
-            <translation>Vorschub beim Schneiden.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Plunge feed</source>
-            <translation>Eintauchvorschub</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed rate while plunging into the stock.</source>
-            <translation>Vorschub beim Eintauchen ins Rohteil.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Spindle speed</source>
-            <translation>Spindeldrehzahl</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Revolutions per minute, clockwise.</source>
-            <translation>Umdrehungen je Minute, im Uhrzeigersinn.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Dwell</source>
-            <translation>Verweilzeit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Wait above the stock until the spindle has reached its speed.</source>
-            <translation>Wartezeit über dem Rohteil, bis die Spindel ihre Drehzahl hat.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut the negative of the face, turned over about the y axis.</source>
-            <translation>Das Negativ der Fläche schneiden, um die y-Achse gewendet.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut a mould of the face</source>
-            <translation>Eine Form der Fläche fräsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
-            <translation>Schreibt das Schlichten mit einem Kugelfräser als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird zuerst simuliert; ein Fräser, der zu viel Material stehen lässt oder zu tief schneidet, wird abgelehnt.</translation>
+            <source>Writes the passes of a ball cutter as G-code in millimetres. The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
+            <translation>Schreibt die Schnitte eines Kugelfräsers als G-Code in Millimetern. Der Schnitt wird zuerst simuliert; ein Fräser, der zu viel Material stehen lässt oder zu tief schneidet, wird abgelehnt.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -7846,6 +7746,281 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Control</source>
+            <translation>Steuerung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control that reads the program: its preamble, path modes, dwell, decimals and end.</source>
+            <translation>Steuerung, die das Programm liest: Vorspann, Bahnmodus, Verweilzeit, Nachkommastellen und Ende.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard ball cutter by its diameter. Empty: the radius of the design task, or the largest standard cutter that fits everywhere.</source>
+            <translation>Kugelfräser üblicher Größe nach dem Durchmesser. Leer: der Radius der Aufgabe, oder der größte übliche Fräser, der überall passt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>automatic</source>
+            <translation>automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tool radius</source>
+            <translation>Werkzeugradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of another ball cutter than a standard one.</source>
+            <translation>Radius eines anderen Kugelfräsers als der üblichen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>standard</source>
+            <translation>üblich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Scallop height</source>
+            <translation>Rillenhöhe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Größte Höhe des Materials zwischen benachbarten Bahnen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wenn das zu viele Bewegungen braucht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fixture rim</source>
+            <translation>Spannrand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of stock around the part for clamping.</source>
+            <translation>Breite des Rohteils um das Teil zum Spannen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stock above</source>
+            <translation>Aufmaß oben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of stock above the highest point of the face.</source>
+            <translation>Höhe des Rohteils über dem höchsten Punkt der Fläche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Whole height of the stock. Empty: as much as part and cuts need.</source>
+            <translation>Gesamte Höhe des Rohteils. Leer: so viel, wie Teil und Schnitte brauchen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Program zero</source>
+            <translation>Nullpunkt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Place of the stock where the program's coordinates are zero.</source>
+            <translation>Stelle des Rohteils, an der die Koordinaten des Programms null sind.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>middle, top of the stock</source>
+            <translation>Mitte, Oberseite des Rohteils</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>corner of least x and y, top of the stock</source>
+            <translation>Ecke mit kleinstem x und y, Oberseite des Rohteils</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>middle, bottom of the stock</source>
+            <translation>Mitte, Unterseite des Rohteils</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Roughing</source>
+            <translation>Schruppen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Passes at levels of z that clear the stock above the face.</source>
+            <translation>Schnitte auf Höhenstufen, die das Rohteil über der Fläche abtragen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>flat cutter</source>
+            <translation>Schaftfräser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>ball cutter</source>
+            <translation>Kugelfräser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Roughing cutter</source>
+            <translation>Schruppfräser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard cutter of the roughing passes by its diameter. Empty: the largest one that is at most a quarter as wide as the part.</source>
+            <translation>Üblicher Fräser zum Schruppen nach dem Durchmesser. Leer: der größte, der höchstens ein Viertel so breit ist wie das Teil.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step down</source>
+            <translation>Zustellung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of two levels of roughing. Empty: half of the cutter's radius.</source>
+            <translation>Abstand zweier Stufen beim Schruppen. Leer: der halbe Fräserradius.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Allowance</source>
+            <translation>Aufmaß</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material that roughing leaves everywhere for finishing. Empty: a tenth of the cutter's radius.</source>
+            <translation>Material, das das Schruppen überall für das Schlichten stehen lässt. Leer: ein Zehntel des Fräserradius.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Travel height</source>
+            <translation>Verfahrhöhe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of rapid moves above the stock and above the highest cut. Empty: 2 mm, or the ball's diameter if that is more.</source>
+            <translation>Höhe der Eilgänge über dem Rohteil und über dem höchsten Schnitt. Leer: 2 mm, oder der Kugeldurchmesser, wenn er größer ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed</source>
+            <translation>Vorschub</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed rate while cutting.</source>
+            <translation>Vorschub beim Schneiden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Plunge feed</source>
+            <translation>Eintauchvorschub</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed rate while plunging into the stock.</source>
+            <translation>Vorschub beim Eintauchen ins Rohteil.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spindle speed</source>
+            <translation>Spindeldrehzahl</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Revolutions per minute, clockwise.</source>
+            <translation>Umdrehungen je Minute, im Uhrzeigersinn.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dwell</source>
+            <translation>Verweilzeit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wait above the stock until the spindle has reached its speed.</source>
+            <translation>Wartezeit über dem Rohteil, bis die Spindel ihre Drehzahl hat.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coolant</source>
+            <translation>Kühlmittel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Switch flood coolant on and off.</source>
+            <translation>Das Kühlmittel ein- und ausschalten.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Program number</source>
+            <translation>Programmnummer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of the program, where the control has numbers.</source>
+            <translation>Nummer des Programms, wo die Steuerung Nummern hat.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut a mould of the face</source>
+            <translation>Eine Form der Fläche fräsen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Das Negativ der Fläche schneiden, um die y-Achse gewendet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Nose radius</source>
+            <translation>Spitzenradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the diamond's round nose. Empty: 0.5 mm, or less where that does not fit.</source>
+            <translation>Radius der runden Spitze des Diamanten. Leer: 0,5 mm, oder weniger, wo das nicht passt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed per turn</source>
+            <translation>Vorschub je Umdrehung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the tool moves to the axis during a turn. Empty: for cusps of 1e-5 of the larger half-width.</source>
+            <translation>Weg des Werkzeugs zur Achse während einer Umdrehung. Leer: für Rillen von 1e-5 der größeren halben Breite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points per turn</source>
+            <translation>Punkte je Umdrehung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of the table for each turn. Empty: as many as keep the error between them below the chord error.</source>
+            <translation>Punkte der Tabelle je Umdrehung. Leer: so viele, dass der Fehler dazwischen unter dem Sehnenfehler bleibt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Form tolerance</source>
+            <translation>Formtoleranz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the zone that holds the freeform face. Empty: the drawing states none.</source>
+            <translation>Breite der Zone, in der die Freiformfläche liegt. Leer: die Zeichnung nennt keine.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Inspection points</source>
+            <translation>Prüfpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of the face along each axis whose coordinates are listed.</source>
+            <translation>Punkte der Fläche entlang jeder Achse, deren Koordinaten aufgelistet werden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Largest angle between lens and optical axis</source>
             <translation>Größter Winkel zwischen Linse und optischer Achse</translation>
         </message>
@@ -9020,6 +9195,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>ist ein beschädigtes oder unvollständiges ZIP: {detail}</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>one of {fitting} fits</source>
+            <translation>einer von {fitting} passt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>ein kleinerer oder höhere Rillen werden gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a cutter of {radius} is wider than the part; at most {half}</source>
+            <translation>ein Fräser von {radius} ist breiter als das Teil; höchstens {half}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{stock} is too thin for the part; at least {needed}</source>
+            <translation>{stock} ist zu dünn für das Teil; mindestens {needed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{stock} is too thin: cuts at the rim go {deep} deep; at least that</source>
+            <translation>{stock} ist zu dünn: Schnitte am Rand gehen {deep} tief; mindestens so viel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{step} makes {levels:,.0f} levels, more than a program holds; a larger one</source>
+            <translation>{step} ergibt {levels:,.0f} Stufen, mehr als ein Programm fasst; ein größerer Wert</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>eine Kegelschnitt-Vorderseite des entworfenen Elements wird nicht exportiert; eine ebene</translation>
@@ -9033,21 +9243,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no known ending; use one of {endings}</source>
             <translation>hat keine bekannte Endung; möglich: {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
-            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; {cure}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>one of {fitting} fits</source>
-            <translation>einer von {fitting} passt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a smaller one or higher ridges are needed</source>
-            <translation>ein kleinerer oder höhere Rillen werden gebraucht</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -9076,6 +9271,21 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
+            <source>{value}; one of {known}</source>
+            <translation>{value}; eines von {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; from {least:g} to {most:,}</source>
+            <translation>{value:g}; von {least:g} bis {most:,}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
             <source>{value:g}; a length above 0</source>
             <translation>{value:g}; eine Länge über 0</translation>
         </message>
@@ -9086,8 +9296,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+            <source>a standard cutter is chosen as well; give one of them</source>
+            <translation>ein üblicher Fräser ist auch gewählt; einen von beiden angeben</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
@@ -9108,6 +9318,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/files/export/tessellation.py" />
             <source>{largest:.3g} {unit} takes {triangles:.0f} triangles, more than {most}; about {possible:.2g} is possible</source>
             <translation>{largest:.3g} {unit} braucht {triangles:.0f} Dreiecke, mehr als {most}; etwa {possible:.2g} ist möglich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/turning.py" />
+            <source>{feed} takes {points:,} points, more than {most:,}; a larger one, or fewer points per turn</source>
+            <translation>{feed} braucht {points:,} Punkte, mehr als {most:,}; ein größerer Wert, oder weniger Punkte je Umdrehung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/turning.py" />
+            <source>a nose of {radius} does not fit: it cuts off {cut}; a smaller one</source>
+            <translation>eine Spitze von {radius} passt nicht: sie schneidet {cut} ab; eine kleinere</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />

@@ -2085,108 +2085,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Tool radius</source>
-            <translation>Rayon de l'outil</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius of the ball cutter. Empty: the radius of the design task, or the largest that fits everywhere.</source>
-            <translation>Rayon de la fraise boule. Vide : le rayon de la tâche, ou le plus grand qui passe partout.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Scallop height</source>
-            <translation>Hauteur de crête</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
-            <translation>Hauteur maximale de matière entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande trop de mouvements.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Clamping rim</source>
-            <translation>Bord de serrage</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Width of stock around the lens for clamping.</source>
-            <translation>Largeur du brut autour de la lentille pour le bridage.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Travel height</source>
-            <translation>Hauteur de dégagement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>the ball's diameter</source>
-            <translation>le diamètre de la bille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Height of rapid moves above the highest cut.</source>
-            <translation>Hauteur des déplacements rapides au-dessus de la coupe la plus haute.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>automatic</source>
-            <translation>automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed</source>
-            <translation>Avance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed rate while cutting.</source>
-            <translation>Avance en coupe.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Plunge feed</source>
-            <translation>Avance de plongée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed rate while plunging into the stock.</source>
-            <translation>Avance en plongée dans le brut.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Spindle speed</source>
-            <translation>Vitesse de broche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Revolutions per minute, clockwise.</source>
-            <translation>Tours par minute, en sens horaire.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Dwell</source>
-            <translation>Temporisation</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Wait above the stock until the spindle has reached its speed.</source>
-            <translation>Attente au-dessus du brut jusqu'à ce que la broche ait atteint sa vitesse.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut the negative of the face, turned over about the y axis.</source>
-            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut a mould of the face</source>
-            <translation>Usiner un moule de la face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Writes a finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
-            <translation>Écrit une passe de finition d'une fraise boule en G-code en millimètres (GRBL, LinuxCNC). La coupe est d'abord simulée ; une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
+            <source>Writes the passes of a ball cutter as G-code in millimetres. The cut is simulated first; a cutter that leaves too much material or cuts too deep is refused.</source>
+            <translation>Écrit les passes d’une fraise boule en code G, en millimètres. L’usinage est d’abord simulé ; une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -7846,6 +7746,281 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Control</source>
+            <translation>Commande</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control that reads the program: its preamble, path modes, dwell, decimals and end.</source>
+            <translation>Commande qui lit le programme : préambule, modes de trajectoire, temporisation, décimales et fin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard ball cutter by its diameter. Empty: the radius of the design task, or the largest standard cutter that fits everywhere.</source>
+            <translation>Fraise boule courante, par son diamètre. Vide : le rayon de la tâche, ou la plus grande fraise courante qui passe partout.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>automatic</source>
+            <translation>automatique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tool radius</source>
+            <translation>Rayon de l'outil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of another ball cutter than a standard one.</source>
+            <translation>Rayon d’une autre fraise boule que les courantes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>standard</source>
+            <translation>courant</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Scallop height</source>
+            <translation>Hauteur de crête</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Hauteur maximale de matière entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande trop de mouvements.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fixture rim</source>
+            <translation>Bord de bridage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of stock around the part for clamping.</source>
+            <translation>Largeur du brut autour de la pièce pour le bridage.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stock above</source>
+            <translation>Brut au-dessus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of stock above the highest point of the face.</source>
+            <translation>Hauteur du brut au-dessus du point le plus haut de la face.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Whole height of the stock. Empty: as much as part and cuts need.</source>
+            <translation>Hauteur totale du brut. Vide : ce qu’il faut pour la pièce et les passes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Program zero</source>
+            <translation>Origine du programme</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Place of the stock where the program's coordinates are zero.</source>
+            <translation>Point du brut où les coordonnées du programme sont nulles.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>middle, top of the stock</source>
+            <translation>milieu, dessus du brut</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>corner of least x and y, top of the stock</source>
+            <translation>coin aux plus petits x et y, dessus du brut</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>middle, bottom of the stock</source>
+            <translation>milieu, dessous du brut</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Roughing</source>
+            <translation>Ébauche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Passes at levels of z that clear the stock above the face.</source>
+            <translation>Passes par niveaux de z qui enlèvent le brut au-dessus de la face.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>flat cutter</source>
+            <translation>fraise cylindrique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>ball cutter</source>
+            <translation>fraise boule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Roughing cutter</source>
+            <translation>Fraise d’ébauche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard cutter of the roughing passes by its diameter. Empty: the largest one that is at most a quarter as wide as the part.</source>
+            <translation>Fraise courante de l’ébauche, par son diamètre. Vide : la plus grande qui est au plus large d’un quart de la pièce.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step down</source>
+            <translation>Profondeur de passe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance of two levels of roughing. Empty: half of the cutter's radius.</source>
+            <translation>Distance de deux niveaux d’ébauche. Vide : la moitié du rayon de la fraise.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Allowance</source>
+            <translation>Surépaisseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material that roughing leaves everywhere for finishing. Empty: a tenth of the cutter's radius.</source>
+            <translation>Matière que l’ébauche laisse partout pour la finition. Vide : un dixième du rayon de la fraise.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Travel height</source>
+            <translation>Hauteur de dégagement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of rapid moves above the stock and above the highest cut. Empty: 2 mm, or the ball's diameter if that is more.</source>
+            <translation>Hauteur des déplacements rapides au-dessus du brut et de la passe la plus haute. Vide : 2 mm, ou le diamètre de la boule s’il est plus grand.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed</source>
+            <translation>Avance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed rate while cutting.</source>
+            <translation>Avance en coupe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Plunge feed</source>
+            <translation>Avance de plongée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed rate while plunging into the stock.</source>
+            <translation>Avance en plongée dans le brut.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Spindle speed</source>
+            <translation>Vitesse de broche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Revolutions per minute, clockwise.</source>
+            <translation>Tours par minute, en sens horaire.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dwell</source>
+            <translation>Temporisation</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wait above the stock until the spindle has reached its speed.</source>
+            <translation>Attente au-dessus du brut jusqu'à ce que la broche ait atteint sa vitesse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coolant</source>
+            <translation>Arrosage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Switch flood coolant on and off.</source>
+            <translation>Met l’arrosage en marche et l’arrête.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Program number</source>
+            <translation>Numéro du programme</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of the program, where the control has numbers.</source>
+            <translation>Numéro du programme, si la commande a des numéros.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut a mould of the face</source>
+            <translation>Usiner un moule de la face</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut the negative of the face, turned over about the y axis.</source>
+            <translation>Usiner le négatif de la face, retourné autour de l'axe y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Nose radius</source>
+            <translation>Rayon de bec</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the diamond's round nose. Empty: 0.5 mm, or less where that does not fit.</source>
+            <translation>Rayon du bec rond du diamant. Vide : 0,5 mm, ou moins s’il ne passe pas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Feed per turn</source>
+            <translation>Avance par tour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the tool moves to the axis during a turn. Empty: for cusps of 1e-5 of the larger half-width.</source>
+            <translation>Course de l’outil vers l’axe pendant un tour. Vide : pour des crêtes de 1e-5 de la plus grande demi-largeur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points per turn</source>
+            <translation>Points par tour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of the table for each turn. Empty: as many as keep the error between them below the chord error.</source>
+            <translation>Points de la table par tour. Vide : autant qu’il faut pour que l’erreur entre eux reste sous l’erreur de corde.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Form tolerance</source>
+            <translation>Tolérance de forme</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the zone that holds the freeform face. Empty: the drawing states none.</source>
+            <translation>Largeur de la zone qui contient la face de forme libre. Vide : le dessin n’en indique pas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Inspection points</source>
+            <translation>Points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points of the face along each axis whose coordinates are listed.</source>
+            <translation>Points de la face le long de chaque axe dont les coordonnées sont listées.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Largest angle between lens and optical axis</source>
             <translation>Plus grand angle entre lentille et axe optique</translation>
         </message>
@@ -9020,6 +9195,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>est un zip endommagé ou incomplet : {detail}</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>one of {fitting} fits</source>
+            <translation>une de {fitting} convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>il en faut une plus petite, ou des crêtes plus hautes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a cutter of {radius} is wider than the part; at most {half}</source>
+            <translation>une fraise de {radius} est plus large que la pièce ; au plus {half}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{stock} is too thin for the part; at least {needed}</source>
+            <translation>{stock} est trop mince pour la pièce ; au moins {needed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{stock} is too thin: cuts at the rim go {deep} deep; at least that</source>
+            <translation>{stock} est trop mince : les passes au bord vont à {deep} de profondeur ; au moins autant</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>{step} makes {levels:,.0f} levels, more than a program holds; a larger one</source>
+            <translation>{step} donne {levels:,.0f} niveaux, plus qu’un programme n’en contient ; une valeur plus grande</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>une face avant conique de l'élément conçu n'est pas exportée ; une plane</translation>
@@ -9033,21 +9243,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no known ending; use one of {endings}</source>
             <translation>n'a pas d'extension connue ; l'une de {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
-            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; {cure}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>one of {fitting} fits</source>
-            <translation>une de {fitting} convient</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a smaller one or higher ridges are needed</source>
-            <translation>il en faut une plus petite, ou des crêtes plus hautes</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -9076,6 +9271,21 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
+            <source>{value}; one of {known}</source>
+            <translation>{value} ; l’un de {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; from {least:g} to {most:,}</source>
+            <translation>{value:g} ; de {least:g} à {most:,}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
             <source>{value:g}; a length above 0</source>
             <translation>{value:g} ; une longueur supérieure à 0</translation>
         </message>
@@ -9086,8 +9296,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+            <source>a standard cutter is chosen as well; give one of them</source>
+            <translation>une fraise courante est aussi choisie ; indiquer l’une des deux</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
@@ -9108,6 +9318,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/files/export/tessellation.py" />
             <source>{largest:.3g} {unit} takes {triangles:.0f} triangles, more than {most}; about {possible:.2g} is possible</source>
             <translation>{largest:.3g} {unit} demande {triangles:.0f} triangles, plus de {most} ; environ {possible:.2g} est possible</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/turning.py" />
+            <source>{feed} takes {points:,} points, more than {most:,}; a larger one, or fewer points per turn</source>
+            <translation>{feed} demande {points:,} points, plus que {most:,} ; une valeur plus grande, ou moins de points par tour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/turning.py" />
+            <source>a nose of {radius} does not fit: it cuts off {cut}; a smaller one</source>
+            <translation>un bec de {radius} ne passe pas : il coupe {cut} ; un plus petit</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />

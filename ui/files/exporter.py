@@ -31,7 +31,7 @@ from workbench.progress import Interrupted
 from workbench.report.content import HTML, PDF, check_ending
 
 if TYPE_CHECKING:
-    from workbench.files.export.cut_plan import CutPlan
+    from workbench.files.export.options import Chosen
     from workbench.files.session import Session
     from workbench.scene import Scene
 
@@ -66,13 +66,14 @@ class LensWriter(QObject):
         session = self._lens.session
         if session is None:
             self._messages.note(tr(NO_LENS))
-        return session
+            return None
+        return self._document.verified.complete(session)
 
 
 class Exporter(LensWriter):
     """Asks for a file and writes it."""
 
-    ask_cutting: "Callable[[Session], CutPlan | None]"  # set by the window
+    ask_options: "Callable[[Session, Format], Chosen | None]"  # set by the window
 
     def choose_and_export(self) -> None:
         """Ask for a file, and the element where there are several, and write it."""
@@ -89,13 +90,13 @@ class Exporter(LensWriter):
             self._messages.note(tr(NO_LENS))
             return
         elements = self.ask_for_elements(session.scene, several=False)
-        plan = self._cut_of(session, elements)
-        if plan is not None:
+        chosen = self._options_of(session, elements, GCODE)
+        if chosen is not None:
             title, name = tr("Cut {lens}").format(lens=self._lens.text), self._document.name
             endings = {_filter(GCODE): GCODE.endings[0]}
             path = self._dialogs.to_save("export", title, name, endings)
             if path is not None:
-                self._write(session, {path: elements[0]}, plan)
+                self._write(session, {path: elements[0]}, chosen)
 
     def export(self, path: Path, mesh_unit: str = MILLIMETRES) -> None:
         """Write a file; ask which element it holds, and for the cut of G-code."""
@@ -110,12 +111,11 @@ class Exporter(LensWriter):
         elements = [session.scene.optic.name]
         if found.of_element:
             elements = self.ask_for_elements(session.scene, several=found is not GCODE)
-        plan = self._cut_of(session, elements) if found is GCODE else None
+        chosen = self._options_of(session, elements, found)
         several = len(elements) > 1
         files = {_named(path, found, each) if several else path: each for each in elements}
-        left_out = not files or (found is GCODE and plan is None)
-        if not left_out and self._may_replace([each for each in files if each != path]):
-            self._write(session, files, plan, mesh_unit)
+        if chosen is not None and self._may_replace([each for each in files if each != path]):
+            self._write(session, files, chosen, mesh_unit)
 
     def ask_for_elements(self, scene: "Scene", several: bool = True) -> list[str]:
         """Ask for one designed element or for all where there are several; none if cancelled."""
@@ -138,20 +138,23 @@ class Exporter(LensWriter):
             self._dialogs.window, tr("Export"), tr("Replace {files}?").format(files=there)
         )
 
-    def _cut_of(self, session: "Session", elements: Sequence[str]) -> "CutPlan | None":
+    def _options_of(
+        self, session: "Session", elements: Sequence[str], found: Format
+    ) -> "Chosen | None":
         if not elements:
             return None
-        return self.ask_cutting(replace(session, scene=session.scene.focused_on(elements[0])))
+        scene = session.scene.focused_on(elements[0])
+        return self.ask_options(replace(session, scene=scene), found)
 
     def _write(
         self,
         session: "Session",
         files: Mapping[Path, str],
-        plan: "CutPlan | None",
+        chosen: "Chosen",
         mesh_unit: str = MILLIMETRES,
     ) -> None:
         title = tr("Export {name}").format(name=", ".join(path.name for path in files))
-        work = partial(_write, session, files, plan, mesh_unit, self._lens.text)
+        work = partial(_write, session, files, chosen, mesh_unit, self._lens.text)
         self.background.begin(work, title=title)
 
     def ask_for_name(self) -> Path | None:
@@ -173,7 +176,7 @@ class Exporter(LensWriter):
 def _write(
     session: "Session",
     files: Mapping[Path, str],
-    plan: "CutPlan | None",
+    chosen: "Chosen",
     mesh_unit: str,
     lens: str,
     task: Task,
@@ -192,7 +195,13 @@ def _write(
             written.sentence
             for path, element in files.items()
             for written in export(
-                session, [path], mesh_unit=mesh_unit, plan=plan, progress=report, element=element
+                session,
+                [path],
+                options=chosen.options,
+                mesh_unit=mesh_unit,
+                plan=chosen.plan,
+                progress=report,
+                element=element,
             )
         ]
     except Interrupted:
@@ -234,12 +243,10 @@ class Reporter(LensWriter):
             self.report(path)
 
     def report(self, path: Path) -> None:
-        found = self._writable_lens()
-        if found is None:
+        session = self._writable_lens()
+        if session is None:
             return
-        document = self._document
-        session = document.verified.complete(found)
-        name = document.suggested_path.stem
+        name = self._document.suggested_path.stem
         work = partial(_write_report, session, name, path, self._lens.text)
         self.background.begin(work, title=tr("Report {name}").format(name=path.name))
 

@@ -15,11 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task
-from ui.manufacture.option_fields import OptionFields, keep_options, kept_options
+from ui.manufacture.option_fields import OptionDialog, OptionFields, keep_options, kept_options
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
-from ui.words import later, tr
-from workbench.files.export.options import Cutting
+from ui.words import capitalised, later, tr
+from workbench.files.export.formats import GCODE, Format
+from workbench.files.export.options import Chosen, Cutting
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -36,21 +37,31 @@ _ABOUT = later(
 )
 
 
-class AskCutting:
-    """Asks for the cut of a lens, starting from the last answer."""
+class AskOptions:
+    """Asks for the options of a format, starting from the last answers."""
 
     def __init__(self, window: QWidget, settings: QSettings) -> None:
         self._window, self._settings = window, settings
 
-    def __call__(self, session: "Session") -> "CutPlan | None":
-        """Return the planned cut; None if cancelled."""
+    def __call__(self, session: "Session", found: Format) -> Chosen | None:
+        """Return the options, and the planned cut of G-code; None if cancelled."""
+        if not found.options:
+            return Chosen()
         unit = session.scene.unit
-        dialog = CutterDialog(session, kept_options(self._settings, unit, Cutting), self._window)
+        kept = [kept_options(self._settings, unit, group) for group in found.options]
+        dialog: CutterDialog | OptionDialog
+        if found is GCODE:
+            dialog = CutterDialog(
+                session, kept_options(self._settings, unit, Cutting), self._window
+            )
+        else:
+            dialog = OptionDialog(unit, kept, capitalised(found.name), self._window)
         try:
-            if not dialog.exec() or dialog.plan is None:
+            if not dialog.exec():
                 return None
-            keep_options(self._settings, unit, dialog.plan.cutting)
-            return dialog.plan
+            for options in dialog.options:
+                keep_options(self._settings, unit, options)
+            return Chosen(dialog.options, dialog.plan)
         finally:
             dialog.deleteLater()
 
@@ -83,7 +94,6 @@ class CutterDialog(QDialog):
         buttons.rejected.connect(self.reject)
         about, below = WrappedLabel(tr(_ABOUT)), filled(QHBoxLayout(), STRETCH, self.fit)
         filled(QVBoxLayout(self), about, self.fields, self.found, below, buttons)
-        self.setMinimumWidth(80 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
         self._background = Background(later("simulation of the cut"), self)
         self._background.progressed.connect(self._show_progress)
@@ -91,6 +101,10 @@ class CutterDialog(QDialog):
         self._background.failed.connect(self._show_failure)
         self.finished.connect(self._background.close)
         self.simulate()
+
+    @property
+    def options(self) -> tuple[Cutting, ...]:
+        return () if self.plan is None else (self.plan.cutting,)
 
     def simulate(self) -> None:
         self._forget()

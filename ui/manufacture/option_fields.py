@@ -1,18 +1,26 @@
 """Fields of a group of export options, from its description, and what was chosen last."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from typing import Any, Generic, Literal, TypeVar
 
 from annotated_types import Ge, Le
 from PySide6.QtCore import QSettings, Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ui.panels.edits import Edit
 from ui.panels.entries import RowEntries, edited_data
 from ui.panels.fields import Row, described
 from ui.panels.rows import value_row
+from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.export.options import FEED, LENGTH, Option, OptionGroup
@@ -21,7 +29,7 @@ from workbench.scene import Measure
 from workbench.scene.fields import Choices, LeftOut
 
 Group = TypeVar("Group", bound=OptionGroup)
-_COLUMN = 12  # rows of a column
+_COLUMN, _LETTERS = 12, 46  # rows of a column, and letters across it
 
 
 class OptionFields(QWidget, Generic[Group]):
@@ -45,6 +53,7 @@ class OptionFields(QWidget, Generic[Group]):
             form.addRow(row.label, row)
             row.reserve_unit(FEED)
         rows = list(self.rows.values())
+        self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth() * columns.count())
         self._entries = RowEntries(rows, lambda: self._data, self._enter, self)
         self._entries.changed.connect(self.changed)
         self._entries.show()
@@ -73,6 +82,32 @@ class OptionFields(QWidget, Generic[Group]):
                 other, values = about.needs
                 row.only_if(lambda data, o=other, v=values: data[o] in v)  # type: ignore[misc]
             yield row
+
+
+class OptionDialog(QDialog):
+    """Asks for the options of a format."""
+
+    plan = None  # of a cut, which is planned when the file is written
+
+    def __init__(
+        self, unit: str, begin_with: Sequence[OptionGroup], title: str, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self.setWindowTitle(title)
+        self.fields = [OptionFields(unit, each) for each in begin_with]
+        kinds = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(kinds.Ok | kinds.Cancel)
+        buttons.accepted.connect(self._accept)
+        buttons.rejected.connect(self.reject)
+        filled(QVBoxLayout(self), *self.fields, buttons)
+
+    @property
+    def options(self) -> tuple[OptionGroup, ...]:
+        return tuple(each.options for each in self.fields)
+
+    def _accept(self) -> None:
+        if not any(each.refused for each in self.fields):
+            self.accept()
 
 
 def _row(name: str, about: Option, usual: Any) -> Row:

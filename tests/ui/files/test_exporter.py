@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QInputDialog, QMessageBox
 from workbench.design.limits import HeightLimits
 from workbench.files.export.cut_plan import planning
 from workbench.files.export.design import Design
-from workbench.files.export.options import Cutting
+from workbench.files.export.options import Chosen, Cutting
 from workbench.progress import finished
 
 
@@ -112,7 +112,7 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, files, plan, mesh_unit, lens, task):
+    def write(session, files, chosen, mesh_unit, lens, task):
         assert release.wait(30)
         task.outcome = f"written; {lens}"
 
@@ -152,12 +152,12 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
     with monkeypatch.context() as changed:
         changed.setattr("workbench.files.export.gcode.writing", endless)
         path = tmp_path / "lens.nc"
-        window.exporter._write(designed, {path: "lens"}, plan)
+        window.exporter._write(designed, {path: "lens"}, Chosen(plan=plan))
         (entry,) = window.early.shelf.entries
         qtbot.waitUntil(lambda: entry.part.text() == "50 %" and begun.is_set())
         entry.cancel.click()
         qtbot.waitUntil(lambda: entry.outcome.text() == "No file was written.")
         assert list(tmp_path.glob("*lens*")) == []
-    window.exporter._write(designed, {path: "lens"}, plan)
+    window.exporter._write(designed, {path: "lens"}, Chosen(plan=plan))
     qtbot.waitUntil(lambda: str(path) in window.messages.text)
     assert path.read_text().endswith("M5\nM30\n")

@@ -1,15 +1,17 @@
 """How a face is cut, asked in the window, with the verdict before anything is written."""
 
 import threading
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QToolButton
 
 from tests.ui.hands import fill
-from ui.manufacture.cutter import AskCutting, CutterDialog
-from ui.manufacture.option_fields import OptionFields, keep_options
-from workbench.files.export.options import PLAIN, Cutting
+from ui.manufacture.cutter import AskOptions, CutterDialog
+from ui.manufacture.option_fields import OptionDialog, OptionFields, keep_options
+from workbench.files.export.formats import GCODE, format_of
+from workbench.files.export.options import PLAIN, Chosen, Cutting, Drawing
 
 COARSE = Cutting(tool_radius=0.2, scallop=0.002)
 
@@ -60,11 +62,11 @@ def held(monkeypatch):
     return left
 
 
-def answer(act, when=lambda dialog: True):
+def answer(act, when=lambda dialog: True, kind=CutterDialog):
     """Do something to the dialog that is about to open, as soon as it is ready for that."""
 
     def now():
-        shown = [w for w in QApplication.topLevelWidgets() if isinstance(w, CutterDialog)]
+        shown = [w for w in QApplication.topLevelWidgets() if isinstance(w, kind)]
         if shown and shown[-1].isVisible() and when(shown[-1]):
             act(shown[-1])
         else:
@@ -159,14 +161,44 @@ def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dia
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
     keep_options(settings, "cm", COARSE)
-    ask = AskCutting(window, settings)
+    ask = AskOptions(window, settings)
     answer(lambda dialog: (dialog.fields.enter(feed=700.0), answer(CutterDialog._accept, fits)))
-    plan = ask(designed)
+    plan = ask(designed, GCODE).plan
     assert plan.cutting == Cutting(tool_radius=0.2, scallop=0.002, feed=700.0)
     answer(lambda dialog: dialog.reject())
-    assert ask(designed) is None
+    assert ask(designed, GCODE) is None
     answer(CutterDialog._accept, fits)
-    assert ask(designed).cutting == plan.cutting
+    assert ask(designed, GCODE).plan.cutting == plan.cutting
+
+
+def test_other_formats_ask_for_their_options_and_keep_them(designed, window, settings):
+    ask = AskOptions(window, settings)
+    assert ask(designed, format_of(Path("a.stl"))) == Chosen()
+
+    def fill_in(dialog):
+        cutting, drawing = dialog.fields
+        cutting.enter(dialect="fanuc")
+        drawing.enter(form_tolerance=-1.0)
+        dialog._accept()
+        assert dialog.isVisible() and drawing.refused
+        drawing.enter(form_tolerance=2e-4)
+        dialog._accept()
+
+    package = format_of(Path("a.zip"))
+    answer(fill_in, kind=OptionDialog)
+    expected = (Cutting(dialect="fanuc"), Drawing(form_tolerance=2e-4))
+    assert ask(designed, package) == Chosen(expected)
+    answer(lambda dialog: dialog.reject(), kind=OptionDialog)
+    assert ask(designed, package) is None
+    answer(OptionDialog._accept, kind=OptionDialog)
+    assert ask(designed, format_of(Path("a.pdf"))) == Chosen(expected[1:])
+
+
+def test_rows_that_mean_nothing_are_hidden(fields):
+    assert not fields.rows["step_down"].isVisible() and not fields.rows["program"].isVisible()
+    fields.enter(roughing="flat")
+    fields.enter(dialect="fanuc")
+    assert fields.rows["step_down"].isVisible() and fields.rows["program"].isVisible()
 
 
 def test_the_pane_and_the_menu_lead_to_g_code(

@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
+from workbench.files.export.options import Cutting, Drawing, OptionGroup, Turning
 from workbench.messages import Message
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ class Format(NamedTuple):
     takes_unit: bool = False  # whether lengths are in the requested unit of meshes
     # Function of that module that refuses a design or its options before anything is written.
     check: str | None = None
+    options: tuple[type[OptionGroup], ...] = ()  # its groups of options
     of_element: bool = True  # whether the file holds one element, not the whole train or its light
 
     @property
@@ -57,7 +59,14 @@ class Format(NamedTuple):
 
 
 _DRAWINGS = "workbench.pictures.part_sheet"
-GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode", check="check_cutting")
+GCODE = Format(
+    (".nc", ".gcode"),
+    "G-code",
+    "gcode",
+    "write_gcode",
+    check="check_cutting",
+    options=(Cutting,),
+)
 """The format with options of cutting."""
 
 OF_ONE_FACE = (
@@ -66,8 +75,14 @@ OF_ONE_FACE = (
     Format((".xyz", ".asc"), "point cloud with normals", "tables", "write_points"),
     Format((".dat",), "OpticStudio grid sag", "tables", "write_grid_sag"),
     GCODE,
-    Format((".sts",), "slow tool servo table", "turning", "write_turning"),
-    Format((".inspection.csv",), "inspection points", "inspection", "write_inspection"),
+    Format((".sts",), "slow tool servo table", "turning", "write_turning", options=(Turning,)),
+    Format(
+        (".inspection.csv",),
+        "inspection points",
+        "inspection",
+        "write_inspection",
+        options=(Drawing,),
+    ),
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
     Format((".height.npy",), "height map", "maps", "write_npy", "height"),
     Format((".height.csv",), "height map", "maps", "write_csv", "height"),
@@ -96,9 +111,10 @@ FORMATS = (
         "write_package",
         takes_unit=True,
         check="check_cutting",
+        options=(Cutting, Drawing),
     ),
-    Format((".pdf",), "part drawing", _DRAWINGS, "write_drawing"),
-    Format((".dxf",), "part drawing", _DRAWINGS, "write_dxf"),
+    Format((".pdf",), "part drawing", _DRAWINGS, "write_drawing", options=(Drawing,)),
+    Format((".dxf",), "part drawing", _DRAWINGS, "write_dxf", options=(Drawing,)),
     *OF_ONE_FACE,
     *(
         Format(endings, name, module, writer, content, of_element=False)

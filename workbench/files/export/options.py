@@ -7,12 +7,15 @@ command, so it imports nothing slow.
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self
 
 from workbench.errors import Refused, shown
 from workbench.files.export.dialects import DIALECTS
 from workbench.messages import Message
 from workbench.units import METRES
+
+if TYPE_CHECKING:
+    from workbench.files.export.cut_plan import CutPlan
 
 MILLIMETRES, SCENE_UNIT = "mm", "scene"
 """The unit that programs assume for a mesh without a unit, and the name for the scene's unit."""
@@ -172,7 +175,10 @@ class Cutting(OptionGroup):
         empty="automatic",
     )
     origin: str = _choice(
-        "Zero", "Place of the stock where the program's coordinates are zero.", ORIGINS, "top"
+        "Program zero",
+        "Place of the stock where the program's coordinates are zero.",
+        ORIGINS,
+        "top",
     )
     roughing: str = _choice(
         "Roughing", "Passes at levels of z that clear the stock above the face.", ROUGHING, "none"
@@ -278,7 +284,9 @@ class Turning(OptionGroup):
     called: ClassVar[str] = "slow tool servo"
 
     nose_radius: float | None = _length(
-        "Nose radius", "Radius of the diamond's round nose. Empty: 0.5 mm.", empty="0.5 mm"
+        "Nose radius",
+        "Radius of the diamond's round nose. Empty: 0.5 mm, or less where that does not fit.",
+        empty="automatic",
     )
     feed_per_turn: float | None = _length(
         "Feed per turn",
@@ -320,6 +328,13 @@ class Drawing(OptionGroup):
 
 GROUPS: tuple[type[OptionGroup], ...] = (Cutting, Turning, Drawing)
 """All groups of options."""
+
+
+class Chosen(NamedTuple):
+    """Chosen options of a format, and the plan of its cuts, which has its own."""
+
+    options: tuple[OptionGroup, ...] = ()
+    plan: "CutPlan | None" = None
 
 
 def mesh_unit_of(asked: str, scene_unit: str) -> str:
