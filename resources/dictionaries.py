@@ -23,12 +23,14 @@ from ui.commands.actions import MENUS
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
+from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.snapshot import ENDINGS, FAILED
 from workbench.files.export.options import GROUPS
 from workbench.jobs import JOBS
 from workbench.materials import CATALOGUE
 from workbench.optics.account import LOSSES, words_of
+from workbench.option_groups import OptionGroup
 from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
@@ -97,7 +99,8 @@ def _of_engine() -> Iterator[str]:
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
-    for _, option in (each for group in GROUPS for each in group.about()):
+    groups: tuple[type[OptionGroup], ...] = *GROUPS, Limits
+    for _, option in (each for group in groups for each in group.about()):
         yield from (option.title, option.tip, option.empty, *_worded(option.choices.values()))
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)

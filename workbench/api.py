@@ -37,12 +37,13 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
-from workbench.files.export.options import MILLIMETRES, Cutting, Drawing, OptionGroup, Turning
+from workbench.files.export.options import MILLIMETRES, Cutting, Drawing, Turning
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.made import as_made, expected_error, photograph, plan
+from workbench.option_groups import OptionGroup
 from workbench.scene import Scene
 
 __all__ = [

@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.manufacture import Extreme, Limits, Manufacture, verdicts
+from workbench.analysis.manufacture import Extreme, Manufacture, verdicts
 from workbench.analysis.manufacture_bounds import shape_bounds
+from workbench.analysis.shop_limits import Limits
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.surface import ControlNet
 

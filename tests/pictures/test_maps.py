@@ -5,7 +5,8 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from workbench.analysis.manufacture import Limits, surface_maps
+from workbench.analysis.manufacture import surface_maps
+from workbench.analysis.shop_limits import Limits
 from workbench.geometry.surface import ControlNet
 from workbench.pictures.images import DerivativeImage
 from workbench.pictures.manufacture import draw_manufacture

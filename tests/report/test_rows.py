@@ -8,7 +8,8 @@ from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
 from tests.scenes import changed
 from workbench.analysis.light_limit import light_limits
-from workbench.analysis.manufacture import Limits, manufacture
+from workbench.analysis.manufacture import manufacture
+from workbench.analysis.shop_limits import Limits
 from workbench.analysis.validation import validate
 from workbench.cli.validate import print_image
 from workbench.extended.bound import Bound

@@ -1,52 +1,29 @@
 """Figures of manufacture beside their limits, and the fields of the limits."""
 
 import math
-from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, QSettings, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
+from ui.manufacture.option_fields import keep_options, kept_options, option_row
+from ui.panels.editors import NumberEditor
 from ui.panels.edits import Edit
 from ui.panels.entries import RowEntries, edited_data
-from ui.panels.fields import OptionalRow, described
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
     Extreme,
     FaceFigures,
-    Limits,
     Manufacture,
     Verdict,
     verdicts,
 )
-from workbench.errors import Refused
-from workbench.messages import Message
+from workbench.analysis.shop_limits import Limits
 from workbench.powers import written
-from workbench.scene import LENGTH, Measure, Scene
+from workbench.scene import Scene
 
-_ROWS = later(
-    {
-        "min_thickness": ("Thinnest", "Least thickness of the element"),
-        "max_thickness": ("Thickest", "Largest thickness of the element"),
-        "max_slope": (
-            "Slope",
-            "Largest angle between a freeform face and a plane across the axis, in degrees",
-        ),
-        "min_radius": (
-            "Concave radius",
-            "Least radius of curvature that a tool can cut, concave or convex",
-        ),
-        "min_tool_radius": (
-            "Largest ball cutter",
-            (
-                "Radius of the ball cutter that must fit everywhere on the face. A larger ball "
-                "leaves material in hollows"
-            ),
-        ),
-    }
-)
-_ANGLE = "max_slope"
 _HINT = later("Empty: the limit of the design task. Stored for the next start.")
 
 
@@ -58,83 +35,47 @@ class LimitFields(QObject):
     def __init__(self, settings: QSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._settings = settings
-        self._scene: Scene | None = None
-        self.rows = {
-            name: _LimitRow(self._stand_in, tr(label), f"{tr(tip)}. {tr(_HINT)}", name)
-            for name, (label, tip) in _ROWS.items()
-        }
-        for name, row in self.rows.items():
-            row.editors[name].setAccessibleName(tr("Limit: {label}").format(label=row.label.text()))
-        rows = list(self.rows.values())
-        self._entries = RowEntries(rows, self._data, self._enter, self)
-        self._entries.changed.connect(lambda: self.changed.emit(self.limits))
+        self._unit, self._own, self._kept = "", Limits(), Limits()
+        self.rows = {name: option_row(name, about, None) for name, about in Limits.about()}
+        for name, about in Limits.about():
+            self.rows[name].explain(f"{tr(about.tip)}. {tr(_HINT)}")
+            named = tr("Limit: {label}").format(label=tr(about.title))
+            self._editor(name).setAccessibleName(named)
+        self._entries = RowEntries(list(self.rows.values()), self._data, self._enter, self)
+        self._entries.changed.connect(self._show)
 
     @property
     def limits(self) -> Limits:
-        own = self._own()
-        return Limits(**{name: self._kept(name) or own[name] for name in self.rows})
+        kept = {name: value for name, value in asdict(self._kept).items() if value is not None}
+        return Limits.of(asdict(self._own) | kept)
 
     def show_scene(self, scene: Scene) -> None:
-        before, self._scene = self._scene, scene
-        if before is None or before.unit != scene.unit:
+        if self._unit != scene.unit:
+            self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
             self._entries.forget()
+        self._own = Limits(
+            min_thickness=scene.optic.least_thickness or None,
+            min_radius=scene.run.min_radius,
+            min_tool_radius=scene.run.min_tool_radius,
+        )
         self._entries.show()
+        self._show()
+
+    def _show(self) -> None:
+        for name, value in asdict(self._own).items():
+            text = tr("none") if value is None else format(value, "g")
+            self._editor(name).setPlaceholderText(text)
         self.changed.emit(self.limits)
 
-    def _enter(self, edits: list[Edit]) -> None:
-        data = edited_data(self._data(), edits)
-        for edit in edits:
-            value = data[edit.path]
-            if value is not None and not 0 < value < math.inf:
-                raise Refused(
-                    edit.path,
-                    Message("{value:g}; a number above 0, or empty, is needed", value=value),
-                )
-        for edit in edits:
-            value = data[edit.path]
-            self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
+    def _editor(self, name: str) -> NumberEditor:
+        return self.rows[name].findChildren(NumberEditor)[0]
 
     def _data(self) -> dict[str, Any]:
-        return {"unit": self._unit, **{name: self._kept(name) for name in self.rows}}
+        return {"unit": self._unit, **asdict(self._kept)}
 
-    @property
-    def _unit(self) -> str:
-        return "" if self._scene is None else self._scene.unit
-
-    def _kept(self, name: str) -> float | None:
-        try:
-            value = float(str(self._settings.value(self._key(name), "")))
-        except ValueError:  # none, or not this program's
-            return None
-        return value if 0 < value < math.inf else None
-
-    def _key(self, name: str) -> str:
-        unit = f"{self._unit}/" if self._unit and name != _ANGLE else ""
-        return f"manufacture/{unit}{name}"
-
-    def _own(self) -> dict[str, float | None]:
-        own: dict[str, float | None] = dict.fromkeys(self.rows)
-        if self._scene is not None:
-            own["min_thickness"] = self._scene.optic.least_thickness or None
-            own["min_radius"] = self._scene.run.min_radius
-            own["min_tool_radius"] = self._scene.run.min_tool_radius
-        return own
-
-    def _stand_in(self, name: str) -> float | str:
-        own = self._own()[name]
-        return tr("none") if own is None else own
-
-
-class _LimitRow(OptionalRow):
-    def __init__(
-        self, stand_in: Callable[[str], float | str], title: str, tip: str, name: str
-    ) -> None:
-        measure = Measure("°") if name == _ANGLE else LENGTH
-        super().__init__(described(title, tip, float, measure, optional=True), name)
-        self._stand_in = stand_in
-
-    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
-        return [self._stand_in(self.path)]
+    def _enter(self, edits: list[Edit]) -> None:
+        self._kept = Limits.of(edited_data(self._data(), edits))
+        keep_options(self._settings, self._unit, self._kept)
 
 
 _STATES = later(

@@ -23,12 +23,14 @@ from ui.panels.rows import value_row
 from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.errors import Refused
-from workbench.files.export.options import FEED, LENGTH, Option, OptionGroup
+from workbench.files.export.options import FEED
+from workbench.option_groups import DEGREES, LENGTH, Option, OptionGroup
 from workbench.scene import LENGTH as OF_SCENE
 from workbench.scene import Measure
-from workbench.scene.fields import Choices, LeftOut
+from workbench.scene.fields import ANGLE, Choices, LeftOut
 
 Group = TypeVar("Group", bound=OptionGroup)
+_MEASURES = {LENGTH: OF_SCENE, DEGREES: ANGLE}
 _COLUMN, _LETTERS = 12, 46  # rows of a column, and letters across it
 
 
@@ -77,7 +79,7 @@ class OptionFields(QWidget, Generic[Group]):
 
     def _made(self) -> Iterator[Row]:
         for name, about in self._group.about():
-            row = _row(name, about, getattr(self._usual, name))
+            row = option_row(name, about, getattr(self._usual, name))
             if about.needs is not None:
                 other, values = about.needs
                 row.only_if(lambda data, o=other, v=values: data[o] in v)  # type: ignore[misc]
@@ -110,8 +112,9 @@ class OptionDialog(QDialog):
             self.accept()
 
 
-def _row(name: str, about: Option, usual: Any) -> Row:
-    marks: list[object] = [OF_SCENE if about.unit == LENGTH else Measure(about.unit)]
+def option_row(name: str, about: Option, usual: Any) -> Row:
+    """Return the row of an option; ``usual`` is its default."""
+    marks: list[object] = [_MEASURES.get(about.unit) or Measure(about.unit)]
     kind: Any = about.kind
     if about.choices:
         kind = Literal[tuple(about.choices)]
@@ -119,7 +122,7 @@ def _row(name: str, about: Option, usual: Any) -> Row:
     elif about.kind is not bool:
         marks += [Ge(about.least), Le(about.most)]
     optional = usual is None or not (about.choices or about.kind is bool)
-    if optional:
+    if optional and (about.empty or usual is not None):
         marks.append(LeftOut(about.empty or format(usual, "g")))
     return value_row(
         described(tr(about.title), tr(about.tip), kind, *marks, optional=optional), name

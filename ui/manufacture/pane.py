@@ -16,12 +16,12 @@ from ui.views.view import ComputingView
 from ui.widgets.controls import SideBySide, command_button
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
-    Limits,
     Manufacture,
     SurfaceMaps,
     manufacturing,
     surface_maps,
 )
+from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit

@@ -13,6 +13,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from workbench.analysis.manufacture_bounds import FaceBounds, difference_range, shape_bounds
+from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array, Mask
 from workbench.geometry.ball_cutter import GridFace, blocked_radius
 from workbench.geometry.basis import basis_matrix
@@ -272,20 +273,6 @@ def _edges(net: ControlNet, heights: Array) -> tuple[bool, bool]:
             jumps.append(np.diff(values, n=2, axis=0) @ basis.T)
     rounding = _FLAT * float(np.ptp(heights))
     return any((j > rounding).any() for j in jumps), any((j < -rounding).any() for j in jumps)
-
-
-@dataclass(frozen=True)
-class Limits:
-    """Limits of a workshop; None for no limit."""
-
-    # Along z, scene units.
-    min_thickness: float | None = None
-    max_thickness: float | None = None
-    # Angle between each freeform face and a plane across the axis, degrees.
-    max_slope: float | None = None
-    min_radius: float | None = None  # radius of curvature of hollows and of humps, scene units
-    # Radius of the ball cutter that has to fit everywhere, scene units.
-    min_tool_radius: float | None = None
 
 
 class Verdict(NamedTuple):

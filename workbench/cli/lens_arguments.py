@@ -8,6 +8,7 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+from workbench.analysis.shop_limits import Limits
 from workbench.cli.parser import (
     add_json,
     add_options,
@@ -130,29 +131,15 @@ def add_manufacture(commands: Any) -> None:
         _run_manufacture,
     )
     add_session(parser)
-    for name, metavar, does in (
-        ("min-thickness", "LENGTH", "the lens has to be as thick everywhere [the scene's]"),
-        ("max-thickness", "LENGTH", "and not thicker than this"),
-        ("max-slope", "DEGREES", "largest angle between exit face and entrance face"),
-        ("min-radius", "LENGTH", "smallest radius of curvature, concave and convex"),
-        ("min-tool-radius", "LENGTH", "radius of the ball cutter that has to fit [the scene's]"),
-    ):
-        parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
+    add_options(parser, Limits)
     add_plot(parser, "draw maps; what is beyond limits is hatched")
     add_json(parser)
 
 
 def _run_manufacture(options: argparse.Namespace) -> None:
-    from workbench.analysis.manufacture import Limits
     from workbench.cli.manufacture import manufacture
 
-    limits = Limits(
-        options.min_thickness,
-        options.max_thickness,
-        options.max_slope,
-        options.min_radius,
-        options.min_tool_radius,
-    )
+    limits = Limits.of(vars(options))
     manufacture(options.session, limits, options.plot, options.json)
 
 

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 from workbench.analysis.manufacture import (
     Extreme,
     FaceFigures,
-    Limits,
     Manufacture,
     SurfaceMaps,
     Verdict,
@@ -18,6 +17,7 @@ from workbench.analysis.manufacture import (
     verdicts,
 )
 from workbench.analysis.manufacture import manufacture as compute_figures
+from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array
 from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed

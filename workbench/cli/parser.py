@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, NoReturn
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tracing import MOST_RAYS
 from workbench.errors import Refused
-from workbench.files.export.options import OptionGroup
+from workbench.option_groups import OptionGroup
 
 _MOST_DISTANCES = 1000
 _MOST_STOPS = 20.0

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
 
-    from workbench.analysis.manufacture import Limits, SurfaceMaps
+    from workbench.analysis.manufacture import SurfaceMaps
+    from workbench.analysis.shop_limits import Limits
 
 _FONT = 9
 _DPI = 150

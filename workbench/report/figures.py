@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cross_check import CrossCheck
 from workbench.analysis.light_limit import light_limits
-from workbench.analysis.manufacture import Extreme, FaceFigures, Limits, Manufacture, verdicts
+from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture, verdicts
 from workbench.analysis.regions import RegionLight
 from workbench.analysis.scatter import IndependentError
 from workbench.analysis.shading import Shading
+from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation_figures import Validation

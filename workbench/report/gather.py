@@ -7,8 +7,9 @@ from functools import partial
 from workbench import __version__
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import cross_check
-from workbench.analysis.manufacture import Limits, Manufacture, manufacture, surface_maps
+from workbench.analysis.manufacture import Manufacture, manufacture, surface_maps
 from workbench.analysis.metrics import relative_l2
+from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Distribution, perturbed
 from workbench.analysis.validation import validate

@@ -11,10 +11,11 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.export.options import MILLIMETRES, Cutting, OptionGroup
+from workbench.files.export.options import MILLIMETRES, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
+from workbench.option_groups import OptionGroup
 from workbench.progress import Progress, no_progress
 from workbench.scene import Element, Scene
 

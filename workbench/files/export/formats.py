@@ -10,8 +10,9 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
-from workbench.files.export.options import Cutting, Drawing, OptionGroup, Turning
+from workbench.files.export.options import Cutting, Drawing, Turning
 from workbench.messages import Message
+from workbench.option_groups import OptionGroup
 
 if TYPE_CHECKING:
     from workbench.files.export.design import Design, Deviation

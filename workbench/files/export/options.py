@@ -1,17 +1,16 @@
-"""Options of exports with their titles, tips, units and limits, and the unit of meshes.
+"""Options of exports, and the unit of meshes.
 
-The command line and the window follow from them. The command line imports this module for each
-command, so it imports nothing slow.
+The command line imports this module for each command, so it imports nothing slow.
 """
 
-import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from workbench.errors import Refused, shown
 from workbench.files.export.dialects import DIALECTS
 from workbench.messages import Message
+from workbench.option_groups import LENGTH, OptionGroup, option
 from workbench.units import METRES
 
 if TYPE_CHECKING:
@@ -21,8 +20,8 @@ MILLIMETRES, SCENE_UNIT = "mm", "scene"
 """The unit that programs assume for a mesh without a unit, and the name for the scene's unit."""
 MESH_UNITS = (*METRES, SCENE_UNIT)
 """Names of units of a mesh."""
-LENGTH, FEED, SPINDLE, SECONDS = "length", "mm/min", "rpm", "s"
-"""Units of options; a length is in the scene's unit."""
+FEED, SPINDLE, SECONDS = "mm/min", "rpm", "s"
+"""Units of options of machines."""
 INCH = 25.4
 CUTTERS = {f"{size:g} mm": size for size in (0.5, 1, 1.5, 2, 3, 4, 5, 6)} | {
     f"1/{part} inch": INCH / part for part in (64, 32, 16, 8, 4)
@@ -38,93 +37,12 @@ ROUGHING = {"none": "none", "flat": "flat cutter", "ball": "ball cutter"}
 """Kinds of roughing, and what each is called."""
 
 
-@dataclass(frozen=True)
-class Option:
-    """Description of an option."""
-
-    title: str  # of its field in the window
-    tip: str
-    empty: str = ""  # what counts where it is left out, for users
-    unit: str = ""
-    kind: type = float
-    least: float = 0.0
-    most: float = math.inf
-    above: bool = False  # whether the least value is excluded
-    choices: Mapping[str, str] = field(default_factory=dict)  # values and their titles
-    needs: tuple[str, tuple[str, ...]] | None = None  # another option, and values it counts with
-
-    def check(self, name: str, value: Any) -> None:
-        """Raise Refused with what is allowed, unless a value is."""
-        if self.choices:
-            if value not in self.choices:
-                known = ", ".join(self.choices)
-                reason = Message("{value}; one of {known}", value=shown(value), known=known)
-                raise Refused(name, reason)
-        elif self.kind is not bool and not self._holds(value):
-            raise Refused(name, self._allowed(value))
-
-    def _holds(self, value: float) -> bool:
-        if not math.isfinite(value) or (self.above and value == self.least):
-            return False
-        return self.least <= value <= self.most
-
-    def _allowed(self, value: float) -> Message:
-        if math.isfinite(self.most) and not self.unit:
-            return Message(
-                "{value:g}; from {least:g} to {most:,}",
-                value=value,
-                least=self.least,
-                most=self.most,
-            )
-        if math.isfinite(self.most):
-            return Message(
-                "{value:g} {unit}; from {least:g} to {most:,} {unit}",
-                value=value,
-                unit=self.unit,
-                least=self.least,
-                most=self.most,
-            )
-        if self.above:
-            return Message("{value:g}; a length above 0", value=value)
-        return Message("{value:g}; a length of 0 or more", value=value)
-
-
-def option(title: str, tip: str, default: Any = None, **more: Any) -> Any:
-    """Return a field of a group of options."""
-    return field(default=default, metadata={"about": Option(title, tip, **more)})
-
-
 def _length(title: str, tip: str, default: Any = None, **more: Any) -> Any:
     return option(title, tip, default, **{"unit": LENGTH, "above": default is None, **more})
 
 
 def _choice(title: str, tip: str, choices: Mapping[str, str], default: Any, **more: Any) -> Any:
     return option(title, tip, default, kind=str, choices=choices, **more)
-
-
-@dataclass(frozen=True)
-class OptionGroup:
-    """Options of a format. Raise Refused if a value is out of range."""
-
-    called: ClassVar[str]  # of the group
-
-    @classmethod
-    def about(cls) -> Iterator[tuple[str, Option]]:
-        """Names of the options and their descriptions."""
-        for each in fields(cls):
-            yield each.name, each.metadata["about"]
-
-    @classmethod
-    def of(cls, stated: Mapping[str, Any]) -> Self:
-        """Return options of stated values; other names and None are ignored."""
-        names = [name for name, _ in cls.about()]
-        return cls(**{name: stated[name] for name in names if stated.get(name) is not None})
-
-    def __post_init__(self) -> None:
-        for name, about in self.about():
-            value = getattr(self, name)
-            if value is not None:
-                about.check(name, value)
 
 
 _WITH_ROUGHING = "roughing", ("flat", "ball")

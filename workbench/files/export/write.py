@@ -9,10 +9,11 @@ from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
-from workbench.files.export.options import MILLIMETRES, OptionGroup, mesh_unit_of
+from workbench.files.export.options import MILLIMETRES, mesh_unit_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.messages import Message
+from workbench.option_groups import OptionGroup
 from workbench.powers import written
 from workbench.progress import Progress, no_progress
 from workbench.scene import Element, Scene
