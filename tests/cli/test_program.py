@@ -25,7 +25,7 @@ def help_of(capsys, monkeypatch):
 
     def run(*verb):
         with pytest.raises(SystemExit) as ended:
-            main([*verb, "--help"])
+            main([*verb] if verb[-1:] == ("--options",) else [*verb, "--help"])
         assert ended.value.code == 0
         return capsys.readouterr().out
 
@@ -39,6 +39,15 @@ def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
     assert max(map(len, lines)) <= 80
     examples = lines[lines.index("examples:") + 1 :]
     assert examples[0].startswith(f"  freeform {' '.join(verb)}")
+
+
+def test_options_of_formats_are_listed_by_themselves(help_of):
+    lines = help_of("export", "--options").splitlines()
+    groups = [line for line in lines if line and not line.startswith(" ")]
+    assert groups == ["G-code:", "slow tool servo:", "drawing:"]
+    flags = {line.split()[0] for line in lines if line.startswith("  --")}
+    assert {"--dialect", "--coolant", "--nose-radius", "--form-tolerance"} <= flags
+    assert max(map(len, lines)) <= 80
 
 
 def test_the_first_help_names_every_verb(help_of):

@@ -10,6 +10,7 @@ from typing import Any
 
 from workbench.analysis.shop_limits import Limits
 from workbench.cli.parser import (
+    add_hidden_options,
     add_json,
     add_options,
     add_other,
@@ -262,8 +263,7 @@ def add_export(commands: Any) -> None:
         default=MILLIMETRES,
         help="of .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
-    for group in GROUPS:
-        add_options(parser, group)
+    add_hidden_options(parser, GROUPS, "--options")
     parser.add_argument(
         "--element",
         metavar="NAME",

@@ -267,26 +267,58 @@ def add_other(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_options(parser: argparse.ArgumentParser, group: type[OptionGroup]) -> None:
-    """Add an argument for each option of a group; the group itself checks the values."""
-    listed, usual = parser.add_argument_group(group.called), group()
+def add_options(
+    parser: argparse.ArgumentParser, group: type[OptionGroup], hidden: bool = False
+) -> None:
+    """Add an argument for each option of a group; the group itself checks the values.
+
+    ``hidden`` arguments are not in the help; see `add_hidden_options`.
+    """
+    listed, usual = parser.add_argument_group(None if hidden else group.called), group()
     for name, about in group.about():
         flag = f"--{name.replace('_', '-')}"
         tip = about.tip.rstrip(".").replace("Empty: ", "Default: ")
         tip = tip[0].lower() + tip[1:]
         if about.kind is bool:
-            listed.add_argument(flag, action="store_true", help=tip)
+            shown = argparse.SUPPRESS if hidden else tip
+            listed.add_argument(flag, action="store_true", help=shown)
             continue
         value = getattr(usual, name)
         choices = f"; {', '.join(about.choices)}" if about.choices else ""
         default = "" if value is None else f" [{value if about.choices else format(value, 'g')}]"
+        text = f"{tip}{choices}{default}".replace("%", "%%")
         listed.add_argument(
             flag,
             metavar=about.unit.upper() or ("NAME" if about.choices else "N"),
             type=about.kind,
             choices=list(about.choices) or None,
-            help=f"{tip}{choices}{default}".replace("%", "%%"),
+            help=argparse.SUPPRESS if hidden else text,
         )
+
+
+def add_hidden_options(
+    parser: argparse.ArgumentParser, groups: Sequence[type[OptionGroup]], flag: str
+) -> None:
+    """Add the options of several groups, and a flag that lists them and ends the command."""
+    for group in groups:
+        add_options(parser, group, hidden=True)
+    names = ", ".join(group.called for group in groups)
+    parser.add_argument(
+        flag, action=_ListOptions, groups=groups, help=f"list the options of {names}, and exit"
+    )
+
+
+class _ListOptions(argparse.Action):
+    def __init__(self, groups: Sequence[type[OptionGroup]], **settings: Any) -> None:
+        super().__init__(nargs=0, default=argparse.SUPPRESS, **settings)
+        self._groups = groups
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        listed = Parser(prog=parser.prog, usage=argparse.SUPPRESS, add_help=False)
+        for group in self._groups:
+            add_options(listed, group)
+        print(listed.format_help(), end="")
+        parser.exit()
 
 
 def add_tolerance_sizes(parser: argparse.ArgumentParser) -> None:
