@@ -2170,56 +2170,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Thinnest</source>
-            <translation>Dünnste Stelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Least thickness of the element</source>
-            <translation>Kleinste Dicke des Elements</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Thickest</source>
-            <translation>Dickste Stelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest thickness of the element</source>
-            <translation>Größte Dicke des Elements</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Slope</source>
-            <translation>Neigung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
-            <translation>Größter Winkel zwischen einer Freiformfläche und einer Ebene quer zur Achse, in Grad</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Concave radius</source>
-            <translation>Konkaver Radius</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Least radius of curvature that a tool can cut, concave or convex</source>
-            <translation>Kleinster Krümmungsradius, den ein Werkzeug schneiden kann, konkav oder konvex</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest ball cutter</source>
-            <translation>Größter Kugelfräser</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
-            <translation>Radius des Kugelfräsers, der überall auf der Fläche passen muss. Eine größere Kugel lässt Material in Mulden stehen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Empty: the limit of the design task. Stored for the next start.</source>
             <translation>Leer: die Grenze der Aufgabe. Wird für den nächsten Start gespeichert.</translation>
         </message>
@@ -2227,11 +2177,6 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Limit: {label}</source>
             <translation>Grenze: {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>{value:g}; a number above 0, or empty, is needed</source>
-            <translation>{value:g}; nötig ist eine Zahl über 0 oder ein leeres Feld</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2265,8 +2210,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
+            <source>Slope</source>
+            <translation>Neigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
             <source>Largest angle between the face and a plane across the axis</source>
             <translation>Größter Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Concave radius</source>
+            <translation>Konkaver Radius</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2282,6 +2237,11 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Least convex radius of curvature</source>
             <translation>Kleinster konvexer Krümmungsradius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest ball cutter</source>
+            <translation>Größter Kugelfräser</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -6781,6 +6741,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Feed</source>
+            <translation>Vorschub</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Distance of neighbouring turns. The ridges between are feed² / 8 R high.</source>
             <translation>Abstand benachbarter Windungen. Die Grate dazwischen sind Vorschub² / 8 R hoch.</translation>
         </message>
@@ -7901,11 +7866,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Feed</source>
-            <translation>Vorschub</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Feed rate while cutting.</source>
             <translation>Vorschub beim Schneiden.</translation>
         </message>
@@ -7971,11 +7931,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Nose radius</source>
-            <translation>Spitzenradius</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Radius of the diamond's round nose. Empty: 0.5 mm, or less where that does not fit.</source>
             <translation>Radius der runden Spitze des Diamanten. Leer: 0,5 mm, oder weniger, wo das nicht passt.</translation>
         </message>
@@ -8018,6 +7973,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Points of the face along each axis whose coordinates are listed.</source>
             <translation>Punkte der Fläche entlang jeder Achse, deren Koordinaten aufgelistet werden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thinnest</source>
+            <translation>Dünnste Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Least thickness of the element</source>
+            <translation>Kleinste Dicke des Elements</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickest</source>
+            <translation>Dickste Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest thickness of the element</source>
+            <translation>Größte Dicke des Elements</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Größter Winkel zwischen einer Freiformfläche und einer Ebene quer zur Achse, in Grad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Least radius of curvature that a tool can cut, concave or convex</source>
+            <translation>Kleinster Krümmungsradius, den ein Werkzeug schneiden kann, konkav oder konvex</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Radius des Kugelfräsers, der überall auf der Fläche passen muss. Eine größere Kugel lässt Material in Mulden stehen</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9271,31 +9261,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
-            <source>{value}; one of {known}</source>
-            <translation>{value}; eines von {known}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; from {least:g} to {most:,}</source>
-            <translation>{value:g}; von {least:g} bis {most:,}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; a length above 0</source>
-            <translation>{value:g}; eine Länge über 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; a length of 0 or more</source>
-            <translation>{value:g}; eine Länge von 0 oder mehr</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
             <source>a standard cutter is chosen as well; give one of them</source>
             <translation>ein üblicher Fräser ist auch gewählt; einen von beiden angeben</translation>
         </message>
@@ -10153,6 +10118,31 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value}; one of {known}</source>
+            <translation>{value}; eines von {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; from {least:g} to {most:,}</source>
+            <translation>{value:g}; von {least:g} bis {most:,}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g}; eine Länge über 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g}; eine Länge von 0 oder mehr</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/comparison.py" />

@@ -2170,56 +2170,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Thinnest</source>
-            <translation>Plus mince</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Least thickness of the element</source>
-            <translation>Épaisseur minimale de l'élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Thickest</source>
-            <translation>Plus épais</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest thickness of the element</source>
-            <translation>Épaisseur maximale de l'élément</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Slope</source>
-            <translation>Pente</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
-            <translation>Plus grand angle entre une face de forme libre et un plan perpendiculaire à l'axe, en degrés</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Concave radius</source>
-            <translation>Rayon concave</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Least radius of curvature that a tool can cut, concave or convex</source>
-            <translation>Plus petit rayon de courbure usinable, concave ou convexe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest ball cutter</source>
-            <translation>Plus grande fraise boule</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
-            <translation>Rayon de la fraise boule qui doit passer partout sur la face. Une boule plus grande laisse de la matière dans les creux</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Empty: the limit of the design task. Stored for the next start.</source>
             <translation>Vide : la limite de la tâche. Conservé pour le prochain démarrage.</translation>
         </message>
@@ -2227,11 +2177,6 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Limit: {label}</source>
             <translation>Limite : {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
-            <source>{value:g}; a number above 0, or empty, is needed</source>
-            <translation>{value:g} ; il faut un nombre supérieur à 0 ou un champ vide</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2265,8 +2210,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
+            <source>Slope</source>
+            <translation>Pente</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
             <source>Largest angle between the face and a plane across the axis</source>
             <translation>Plus grand angle entre la face et un plan perpendiculaire à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Concave radius</source>
+            <translation>Rayon concave</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2282,6 +2237,11 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Least convex radius of curvature</source>
             <translation>Plus petit rayon de courbure convexe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest ball cutter</source>
+            <translation>Plus grande fraise boule</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -6781,6 +6741,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Feed</source>
+            <translation>Avance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Distance of neighbouring turns. The ridges between are feed² / 8 R high.</source>
             <translation>Distance entre tours voisins. Les crêtes entre eux ont avance² / 8 R de haut.</translation>
         </message>
@@ -7901,11 +7866,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Feed</source>
-            <translation>Avance</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Feed rate while cutting.</source>
             <translation>Avance en coupe.</translation>
         </message>
@@ -7971,11 +7931,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Nose radius</source>
-            <translation>Rayon de bec</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Radius of the diamond's round nose. Empty: 0.5 mm, or less where that does not fit.</source>
             <translation>Rayon du bec rond du diamant. Vide : 0,5 mm, ou moins s’il ne passe pas.</translation>
         </message>
@@ -8018,6 +7973,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Points of the face along each axis whose coordinates are listed.</source>
             <translation>Points de la face le long de chaque axe dont les coordonnées sont listées.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thinnest</source>
+            <translation>Plus mince</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Least thickness of the element</source>
+            <translation>Épaisseur minimale de l'élément</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickest</source>
+            <translation>Plus épais</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest thickness of the element</source>
+            <translation>Épaisseur maximale de l'élément</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Plus grand angle entre une face de forme libre et un plan perpendiculaire à l'axe, en degrés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Least radius of curvature that a tool can cut, concave or convex</source>
+            <translation>Plus petit rayon de courbure usinable, concave ou convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
+            <translation>Rayon de la fraise boule qui doit passer partout sur la face. Une boule plus grande laisse de la matière dans les creux</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -9271,31 +9261,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/options.py" />
-            <source>{value}; one of {known}</source>
-            <translation>{value} ; l’un de {known}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; from {least:g} to {most:,}</source>
-            <translation>{value:g} ; de {least:g} à {most:,}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; a length above 0</source>
-            <translation>{value:g} ; une longueur supérieure à 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
-            <source>{value:g}; a length of 0 or more</source>
-            <translation>{value:g} ; une longueur de 0 ou plus</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/options.py" />
             <source>a standard cutter is chosen as well; give one of them</source>
             <translation>une fraise courante est aussi choisie ; indiquer l’une des deux</translation>
         </message>
@@ -10153,6 +10118,31 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/optics/train/incident.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>symétrie miroir : la moitié des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value}; one of {known}</source>
+            <translation>{value} ; l’un de {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; from {least:g} to {most:,}</source>
+            <translation>{value:g} ; de {least:g} à {most:,}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g} ; une longueur supérieure à 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g} ; une longueur de 0 ou plus</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/comparison.py" />
