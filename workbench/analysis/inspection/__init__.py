@@ -1,0 +1,1 @@
+"""Inspection of a made part: alignment of its measurement, residual, light and correction."""

@@ -1,0 +1,74 @@
+"""Heights as 16-bit PNG or TIFF, or as TIFF of floating-point values; row 0 at +y.
+
+The scale is in the file, as `freeform export` writes it for .height.png and .height.tiff, or it is
+given with the file.
+"""
+
+import io
+import re
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from PIL import Image
+
+from workbench.measured.surfaces.points import MeasuredSurface, checked_size, surface_of_grid
+from workbench.messages import Message
+from workbench.units import WRITTEN
+
+_DESCRIPTION = 270  # TIFF tag
+_DEEPEST = 65535
+_ENTRIES = re.compile(r"([xy] of (?:first|last) (?:column|row)|Length unit) ([^,]+)")
+
+
+class PictureScale(NamedTuple):
+    """Scale of a picture without one of its own, in the unit of the file."""
+
+    pixel: float  # side of a pixel
+    low: float = 0.0  # height of black
+    high: float = 1.0  # height of white; without meaning for floating-point values
+
+
+def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
+    """Read a picture of heights; raise ValueError if it is invalid or has no scale."""
+    try:
+        with Image.open(io.BytesIO(content), formats=("PNG", "TIFF")) as image:
+            columns, rows = checked_size(*image.size)
+            mode, text = image.mode, _text_of(image)
+            heights = np.asarray(image, dtype=np.float64)
+    except ValueError:
+        raise
+    except Exception as error:  # damaged files raise any exception in decoders
+        raise ValueError(Message("it is damaged or incomplete: {why}", why=error)) from error
+    if not mode.startswith(("I;16", "I", "F")):
+        raise ValueError(
+            Message("it has {mode} pixels; grey of 16 bits or floats are needed", mode=mode)
+        )
+    if "Beside the lens" in text:
+        heights[heights == 0] = np.nan
+    if scale is not None:
+        low, high = scale.low, scale.high
+        x, y = scale.pixel * np.arange(columns), scale.pixel * np.arange(rows)[::-1]
+    else:
+        try:
+            low, high = float(text.get("Black", 0)), float(text.get("White", 1))
+            x = np.linspace(*(float(text[f"x of {end} column"]) for end in _ENDS), columns)
+            y = np.linspace(*(float(text[f"y of {end} row"]) for end in _ENDS), rows)
+        except (KeyError, ValueError):
+            raise ValueError(
+                Message("it has no scale; give the size of a pixel and the heights")
+            ) from None
+    if mode != "F":
+        heights = low + heights * ((high - low) / _DEEPEST)
+    unit = text.get("Length unit")
+    return surface_of_grid(x, y, heights, unit if unit in WRITTEN and scale is None else None)
+
+
+_ENDS = ("first", "last")
+
+
+def _text_of(image: Image.Image) -> Mapping[str, str]:
+    described = getattr(image, "tag_v2", {}).get(_DESCRIPTION)
+    if described is not None:
+        return dict(_ENTRIES.findall(str(described)))
+    return {name: str(value) for name, value in image.info.items() if isinstance(name, str)}
