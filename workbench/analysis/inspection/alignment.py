@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from workbench.analysis.inspection.fit import cells_of
 from workbench.analysis.inspection.placement import DesignedFace, Offsets, Placement
 from workbench.analysis.inspection.starts import first_placements, relief, thinned
 from workbench.arrays import Array
@@ -17,7 +18,8 @@ from workbench.errors import Refused
 from workbench.messages import Message
 
 _STARTS, _FEW, _MANY = 8, 3000, 200_000  # placements and points of the search, points of the end
-_STEPS, _CONVERGED = 60, 1e-10  # of the half-width
+# Most steps, and by how much the last ones move the points, in half-widths; the longest step.
+_STEPS, _NEAR, _CONVERGED, _LONGEST = 60, 1e-4, 1e-9, 0.2
 _TUKEY = 4.685 * 1.4826  # times the median of the absolute distances
 _UNDETERMINED = 1e-13  # eigenvalue of the normalised equations
 _BLOCKS = 4  # along x and y; errors within a block may hang together
@@ -50,7 +52,7 @@ def aligned(
         for patch in patches
         for points in [thinned(patch, _FEW)]
         for start in first_placements(points, face, _STARTS)
-        for end in [_descended(points, start, face, False)]
+        for end in [_descended(points, start, face, _NEAR)]
     ]
     true, mirrored = (
         [each for each in found if each[1].mirrored == which] for which in (False, True)
@@ -75,11 +77,19 @@ def aligned(
     alike = [each for each in true if each[0] <= _ALIKE * least]
     _, start, patch = min(alike, key=lambda each: float(np.linalg.norm(each[1].rotation_vector)))
     points = thinned(patch, _MANY)
-    end = _descended(points, start, face, with_scale)
-    return Alignment(end, *_standard_errors(points, end, face, with_scale), patch)
+    end = _descended(points, start, face, _CONVERGED, with_scale)
+    there = end.applied(points)
+    beside = face.offsets(there)
+    weights, rows, _ = _equations(there, beside, with_scale)
+    inside = there[beside.inside]
+    errors = block_errors(inside, rows, weights, beside.distance, face, _BLOCKS)
+    scale_error = float(errors[6]) if with_scale else None
+    return Alignment(end, np.degrees(errors[:3]), errors[3:6], scale_error, patch)
 
 
-def _descended(points: Array, start: Placement, face: DesignedFace, scaled: bool) -> Placement:
+def _descended(
+    points: Array, start: Placement, face: DesignedFace, converged: float, scaled: bool = False
+) -> Placement:
     placement, largest = start, max(face.net.half_width)
     for _ in range(_STEPS):
         there = placement.applied(points)
@@ -87,13 +97,12 @@ def _descended(points: Array, start: Placement, face: DesignedFace, scaled: bool
         if found.inside.sum() < len(points) / 20:
             break
         weights, rows, centre = _equations(there, found, scaled)
-        normal, right = rows.T @ (weights[:, None] * rows), rows.T @ (weights * found.distance)
-        step = -_solved(normal, right)
-        # Linearised slopes hold nearby only.
-        step *= min(1.0, 0.2 * largest / max(float(np.abs(step[3:6]).max()), 1e-300))
-        step *= min(1.0, 0.2 / max(float(np.abs(step[:3]).max()), 1e-300))
+        step = -solved(rows, weights, found.distance)
+        # Slopes hold nearby only.
+        far = max(np.abs(step[3:6]).max() / largest, np.abs(step[:3]).max())
+        step *= min(1.0, _LONGEST / max(far, 1e-300))
         placement = placement.moved(centre, step[:3], step[3:6], *step[6:])
-        if np.abs(step[:3]).max() * largest + np.abs(step[3:6]).max() < _CONVERGED * largest:
+        if far < converged:
             break
     return placement
 
@@ -111,9 +120,10 @@ def _equations(there: Array, found: Offsets, scaled: bool) -> tuple[Array, Array
     return weights, np.concatenate(columns, axis=1), centre
 
 
-def _solved(normal: Array, right: Array) -> Array:
-    inverse, _ = _inverse(normal)
-    return inverse @ right
+def solved(rows: Array, weights: Array, values: Array) -> Array:
+    """Return the weighted least squares solution (k,); 0 where the rows (m, k) leave it open."""
+    inverse, _ = _inverse(rows.T @ (weights[:, None] * rows))
+    return inverse @ (rows.T @ (weights * values))
 
 
 def _inverse(normal: Array) -> tuple[Array, Array]:
@@ -123,28 +133,24 @@ def _inverse(normal: Array) -> tuple[Array, Array]:
     open_ = values < _UNDETERMINED * values[-1]
     kept = vectors[:, ~open_]
     inverse = (kept / values[~open_]) @ kept.T / np.outer(size, size)
-    return inverse, (vectors[:, open_] ** 2).sum(axis=1) > 1e-6
+    return inverse, (vectors[:, open_] ** 2).sum(axis=1) > _UNDETERMINED
 
 
-def _standard_errors(
-    points: Array, placement: Placement, face: DesignedFace, scaled: bool
-) -> tuple[Array, Array, float | None]:
-    """Errors from sums over blocks of the face: form errors hang together over some distance."""
-    there = placement.applied(points)
-    found = face.offsets(there)
-    weights, rows, _ = _equations(there, found, scaled)
+def block_errors(
+    points: Array, rows: Array, weights: Array, left: Array, face: DesignedFace, blocks: int
+) -> Array:
+    """Return standard errors (k,) of a solution, from sums over blocks of the face.
+
+    What is ``left`` (m,) at neighbouring ``points`` (m, 2 or 3) hangs together; blocks do not.
+    Infinite where the rows (m, k) leave an unknown open.
+    """
+    block = cells_of(points, face.net.half_width, (blocks, blocks))
+    gradient = rows * (weights * left)[:, None]
+    sums = np.stack([np.bincount(block, each, minlength=blocks**2) for each in gradient.T], axis=1)
     inverse, undetermined = _inverse(rows.T @ (weights[:, None] * rows))
-    block = np.zeros(len(rows), dtype=np.intp)
-    for axis, r in enumerate(face.net.half_width):
-        place = (there[found.inside, axis] / r + 1) / 2 * _BLOCKS
-        block = block * _BLOCKS + place.astype(np.intp).clip(0, _BLOCKS - 1)
-    gradient = rows * (weights * found.distance)[:, None]
-    sums = np.stack(
-        [np.bincount(block, column, minlength=_BLOCKS**2) for column in gradient.T], axis=1
-    )
     errors = np.sqrt(np.diag(inverse @ (sums.T @ sums) @ inverse).clip(0))
     errors[undetermined] = np.inf
-    return np.degrees(errors[:3]), errors[3:6], float(errors[6]) if scaled else None
+    return np.asarray(errors)
 
 
 def _rms(points: Array, placement: Placement, face: DesignedFace) -> float:

@@ -7,27 +7,25 @@ which would otherwise scatter light as slopes do that no part has.
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import csr_array, diags_array, kron
-from scipy.sparse.linalg import splu
 
+from workbench.analysis.inspection.fit import Cells, Fit, cells_of
 from workbench.analysis.inspection.placement import DesignedFace, Placement
 from workbench.arrays import Array, Index
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
-from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet, even_counts
 from workbench.messages import Message
 
 _DEGREE = (3, 3)
-_CELLS = 512  # along the longer side; the points of a cell are averaged
 _MAP = 256  # cells of the map for pictures along the longer side
 _COVER = 32  # cells along the longer side for the covered part of the face
 _LEAST_COVERED = 0.5
 _SPANS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
-_PATIENCE = 3  # nets without a better prediction before the search ends
-_STIFFNESS = 1e-9  # of second differences, which closes holes
+_LEAST_CELLS = 8  # for each control point
+_PATIENCE = 2  # nets without a better prediction before the search ends
 _SPIKE = 12 * 1.4826  # deviations from the median of the neighbourhood that are dust
 
 
@@ -101,23 +99,34 @@ class Residual:
         return cells_of(points, self.net.half_width, counts)
 
 
-def residual_of(
-    points: Array, placement: Placement, face: DesignedFace, file: str, needed: bool = True
-) -> Residual:
+class OnFace(NamedTuple):
+    """Measured points of a face, without spikes."""
+
+    offsets: Array  # (n, 3), x, y and height above the designed face
+    distance: Array  # (n,), along its normal
+    spikes: int
+
+
+def points_on(face: DesignedFace, placement: Placement, points: Array) -> OnFace:
+    """Return the points (n, 3) of a measurement that are within the outline of a face."""
+    there = placement.applied(points)
+    found = face.offsets(there)
+    offsets = np.column_stack([there[found.inside, :2], found.height])
+    kept = ~_spikes(offsets, face.net.half_width)
+    return OnFace(offsets[kept], found.distance[kept], int((~kept).sum()))
+
+
+def residual_of(face: DesignedFace, placement: Placement, points: Array, file: str) -> Residual:
     """Return the residual of measured points (n, 3) of a face.
 
     Raise Refused, with ``file``, if they cover too little of the face.
     """
-    there = placement.applied(points)
-    found = face.offsets(there)
-    offset = np.column_stack([there[found.inside, :2], found.height])
-    kept = ~_spikes(offset, face.net.half_width)
-    offset, distance = offset[kept], found.distance[kept]
-    places, weights, halves = _averaged(offset, face.net.half_width)
-    net, noise = _best_net(places, weights, halves, face.net.half_width)
-    control = _fitted(net, places, weights)
-    result = Residual(face, offset, distance, int((~kept).sum()), net, control, noise)
-    if needed and result.covered < _LEAST_COVERED:
+    found = points_on(face, placement, points)
+    cells = Cells.of(found.offsets, face.net.half_width)
+    net, noise = _best_net(cells, face.net.half_width)
+    control = Fit(net, cells).control(cells.points[:, 2])
+    result = Residual(face, *found, net, control, noise)
+    if result.covered < _LEAST_COVERED:
         raise Refused(
             file,
             Message(
@@ -128,15 +137,6 @@ def residual_of(
             ),
         )
     return result
-
-
-def cells_of(points: Array, half_width: tuple[float, float], counts: tuple[int, int]) -> Index:
-    """Number (n,) of the cell of each point, of a raster over the face."""
-    i, j = (
-        ((points[:, axis] / r + 1) / 2 * count).astype(np.intp).clip(0, count - 1)
-        for axis, (r, count) in enumerate(zip(half_width, counts, strict=True))
-    )
-    return i * counts[1] + j
 
 
 def _spikes(points: Array, half_width: tuple[float, float]) -> np.typing.NDArray[np.bool_]:
@@ -151,82 +151,30 @@ def _spikes(points: Array, half_width: tuple[float, float]) -> np.typing.NDArray
     return np.asarray(off > _SPIKE * np.median(off))
 
 
-def _averaged(points: Array, half_width: tuple[float, float]) -> tuple[Array, Array, Index]:
-    """Mean points of small cells, their numbers of points, and the half to which each belongs."""
-    counts = even_counts(half_width, _CELLS)
-    cells = cells_of(points, half_width, counts)
-    number = np.bincount(cells, minlength=counts[0] * counts[1])
-    there = np.flatnonzero(number)
-    sums = [np.bincount(cells, column, minlength=len(number))[there] for column in points.T]
-    means = np.stack(sums, axis=1) / number[there, None]
-    halves = np.random.default_rng(2).integers(0, 2, len(there))
-    return means, number[there].astype(np.float64), halves
-
-
-def _best_net(
-    places: Array, weights: Array, halves: Index, half_width: tuple[float, float]
-) -> tuple[ControlNet, float]:
+def _best_net(cells: Cells, half_width: tuple[float, float]) -> tuple[ControlNet, float]:
+    """The coarsest net whose fit of each half predicts the other half as well as any; the noise."""
+    half = np.random.default_rng(2).integers(0, 2, len(cells.points)).astype(np.float64)
     found: list[tuple[float, ControlNet]] = []
     for longer in _SPANS:
         spans = [max(round(longer * r / max(half_width)), 1) for r in half_width]
         net = ControlNet((spans[0] + 3, spans[1] + 3), _DEGREE, half_width)
-        if 8 * net.shape[0] * net.shape[1] > len(places) and found:
+        if _LEAST_CELLS * net.shape[0] * net.shape[1] > len(cells.points) and found:
             break
-        found.append((_prediction_error(net, places, weights, halves), net))
+        found.append((_prediction_error(Fit(net, cells), cells, half), net))
         errors = [error for error, _ in found]
         if len(errors) - np.argmin(errors) > _PATIENCE:
             break
     least = min(error for error, _ in found)
     # Scatter of an estimated variance of so many values.
-    enough = least * (1 + 2 * (2 / len(places)) ** 0.5)
+    enough = least * (1 + 2 * (2 / len(cells.points)) ** 0.5)
     error, net = next(each for each in found if each[0] <= enough)
     return net, float(np.sqrt(error))
 
 
-def _prediction_error(net: ControlNet, places: Array, weights: Array, halves: Index) -> float:
+def _prediction_error(fit: Fit, cells: Cells, half: Array) -> float:
     """Mean square of what a fit of one half leaves of the other half, for one point."""
-    total = 0.0
-    for half in (0, 1):
-        own = halves == half
-        control = _fitted(net, places[own], weights[own])
-        x, y, z = places[~own].T
-        total += float((weights[~own] * (z - net.at(x, y, control)[0]) ** 2).sum())
-    return total / len(places)
-
-
-def _fitted(net: ControlNet, places: Array, weights: Array) -> Array:
-    """Control heights (n_u, n_v) of the least squares fit to points (n, 3)."""
-    basis = _basis(net, places)
-    weighted = basis.T.multiply(weights).tocsr()
-    stiffness = _bending(net.shape) * (_STIFFNESS * float(weights.sum()))
-    normal = (weighted @ basis + stiffness).tocsc()
-    solver = splu(normal, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
-    return np.asarray(solver.solve(weighted @ places[:, 2]).reshape(net.shape))
-
-
-def _basis(net: ControlNet, places: Array) -> csr_array:
-    parts = [
-        local_basis(knots, degree, ((place / r + 1) / 2).clip(0, 1))
-        for knots, degree, r, place in zip(
-            net.knots, net.degree, net.half_width, places.T[:2], strict=True
-        )
-    ]
-    (first_x, along_x), (first_y, along_y) = parts
-    index_x, index_y = (first[:, None] + np.arange(4) for first in (first_x, first_y))
-    columns = index_x[:, :, None] * net.shape[1] + index_y[:, None, :]
-    values = along_x[:, :, None] * along_y[:, None, :]
-    begins = np.arange(0, values.size + 1, 16)
-    shape = (len(places), net.shape[0] * net.shape[1])
-    return csr_array((values.ravel(), columns.ravel(), begins), shape=shape)
-
-
-def _bending(shape: tuple[int, int]) -> csr_array:
-    """Sum of the squares of second differences along u and v, and of mixed ones, as a matrix."""
-    eyes = [csr_array(diags_array(np.ones(n))) for n in shape]
-    ones, twos = ([np.diff(np.eye(n), k, axis=0) for n in shape] for k in (1, 2))
-    bent = [
-        kron(csr_array(twos[0]), eyes[1]),
-        kron(eyes[0], csr_array(twos[1])),
-        kron(csr_array(ones[0]), csr_array(ones[1])),
-    ]
-    return sum((csr_array(each).T @ csr_array(each) for each in bent[1:]), bent[0].T @ bent[0])
+    heights, total = cells.points[:, 2:], 0.0
+    for own in (half, 1 - half):
+        left = heights - fit.basis @ fit.solved(heights, own * cells.weights)
+        total += float(((1 - own) * cells.weights * left[:, 0] ** 2).sum())
+    return total / len(heights)
