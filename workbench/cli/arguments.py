@@ -6,6 +6,7 @@ from typing import Any
 
 from workbench import __version__
 from workbench.cli.design_arguments import add_benchmark, add_bound, add_design, add_sweep
+from workbench.cli.inspect_arguments import add_inspect
 from workbench.cli.lens_arguments import (
     add_export,
     add_manufacture,
@@ -27,6 +28,7 @@ VERBS: dict[str, tuple[str, Callable[[Any], None]]] = {
     "manufacture": ("compute thickness, slope and radii; compare with limits", add_manufacture),
     "plan": ("find the cheapest way to mill and polish a lens", add_plan),
     "photograph": ("compare a photograph of the light with the prediction", add_photograph),
+    "inspect": ("compare measured parts with the design, and correct it", add_inspect),
     "export": ("write a lens for manufacture and for other programs", add_export),
     "pictures": ("draw a lens and its light", add_pictures),
     "report": ("write a report of a lens (HTML, PDF)", add_report),

@@ -23,7 +23,8 @@ _STEPS, _NEAR, _CONVERGED, _LONGEST = 60, 1e-4, 1e-9, 0.2
 _TUKEY = 4.685 * 1.4826  # times the median of the absolute distances
 _UNDETERMINED = 1e-13  # eigenvalue of the normalised equations
 _BLOCKS = 4  # along x and y; errors within a block may hang together
-_FARTHEST = 0.3  # of the face's relief that the points of a part may be off
+# How far points may be off, in parts of the relief; beside a flat face, in half-widths.
+_FARTHEST, _FLAT = 0.3, 1e-4
 _ALIKE = 1.1  # placements of a symmetric face differ by less than this factor
 _MIRRORED = 0.5  # a mirror image fits better by this factor
 
@@ -59,7 +60,7 @@ def aligned(
     )
     least, *_ = min(true, key=lambda each: each[0])
     best_mirrored = min(mirrored, key=lambda each: each[0])
-    limit = _FARTHEST * relief(face.samples)
+    limit = max(_FARTHEST * relief(face.samples), _FLAT * max(face.net.half_width))
     if best_mirrored[0] < min(_MIRRORED * least, limit):
         raise Refused(file, _mirrored(best_mirrored[1]))
     if not least < limit:

@@ -11,7 +11,7 @@ from workbench.arrays import Array, Index
 from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet, even_counts
 
-_CELLS = 320  # along the longer side
+_CELLS = 256  # along the longer side
 _STIFFNESS = 1e-9  # of second differences, which closes holes
 
 
@@ -21,7 +21,7 @@ def cells_of(points: Array, half_width: tuple[float, float], counts: tuple[int, 
         ((points[:, axis] / r + 1) / 2 * count).astype(np.intp).clip(0, count - 1)
         for axis, (r, count) in enumerate(zip(half_width, counts, strict=True))
     )
-    return i * counts[1] + j
+    return np.asarray(i * counts[1] + j)
 
 
 @dataclass(frozen=True, eq=False)

@@ -101,7 +101,7 @@ class Placement:
     @property
     def rotation_vector(self) -> Array:
         """Axis (3,) of the rotation times its angle, degrees."""
-        return np.degrees(Rotation.from_matrix(self.rotation).as_rotvec())
+        return np.asarray(np.degrees(Rotation.from_matrix(self.rotation).as_rotvec()))
 
     def moved(self, about: Array, turn: Array, shift: Array, growth: float = 0.0) -> Self:
         """Return it with a further rotation vector (radians), shift and growth about a point."""

@@ -23,7 +23,7 @@ _DEGREE = (3, 3)
 _MAP = 256  # cells of the map for pictures along the longer side
 _COVER = 32  # cells along the longer side for the covered part of the face
 _LEAST_COVERED = 0.5
-_SPANS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
+_SPANS = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 64, 80, 96)
 _LEAST_CELLS = 8  # for each control point
 _PATIENCE = 2  # nets without a better prediction before the search ends
 _SPIKE = 12 * 1.4826  # deviations from the median of the neighbourhood that are dust
@@ -34,7 +34,7 @@ class Residual:
     """Residual of a part: measured less designed height, in scene units."""
 
     face: DesignedFace
-    points: Array  # (n, 3), x, y and residual along z, within the outline and without spikes
+    offsets: Array  # (n, 3), x, y and residual along z, within the outline and without spikes
     distance: Array  # (n,), residual along the normal
     spikes: int  # points that were left out as dust
     net: ControlNet  # the net that resolves what is above the noise
@@ -76,16 +76,16 @@ class Residual:
     def covered(self) -> float:
         """Part of the face that has points."""
         counts = even_counts(self.net.half_width, _COVER)
-        there = np.bincount(self._cells(self.points, counts), minlength=counts[0] * counts[1]) > 0
+        there = np.bincount(self._cells(self.offsets, counts), minlength=counts[0] * counts[1]) > 0
         face = np.bincount(self._cells(self.face.samples, counts), minlength=len(there)) > 0
         return float((there & face).sum() / face.sum())
 
     def map(self) -> tuple[Array, Array]:
         """Residual of the points and resolved residual, (n_y, n_x); NaN where there is none."""
         counts = even_counts(self.net.half_width, _MAP)
-        cells = self._cells(self.points, counts)
+        cells = self._cells(self.offsets, counts)
         number = np.bincount(cells, minlength=counts[0] * counts[1])
-        total = np.bincount(cells, self.points[:, 2], minlength=len(number))
+        total = np.bincount(cells, self.offsets[:, 2], minlength=len(number))
         with np.errstate(invalid="ignore"):
             mean = (total / number).reshape(counts)
         u, v = ((np.arange(count) + 0.5) / count for count in counts)
@@ -157,7 +157,7 @@ def _best_net(cells: Cells, half_width: tuple[float, float]) -> tuple[ControlNet
     found: list[tuple[float, ControlNet]] = []
     for longer in _SPANS:
         spans = [max(round(longer * r / max(half_width)), 1) for r in half_width]
-        net = ControlNet((spans[0] + 3, spans[1] + 3), _DEGREE, half_width)
+        net = ControlNet((spans[0] + _DEGREE[0], spans[1] + _DEGREE[1]), _DEGREE, half_width)
         if _LEAST_CELLS * net.shape[0] * net.shape[1] > len(cells.points) and found:
             break
         found.append((_prediction_error(Fit(net, cells), cells, half), net))

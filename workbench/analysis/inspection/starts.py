@@ -4,7 +4,6 @@ The mean planes of the measurement and of the face are laid onto each other; ang
 normal, and shifts where the measurement covers a part of the face only, are tried one by one.
 """
 
-from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
@@ -79,14 +78,10 @@ def _radius(points: Array, centre: Array, axes: Array) -> float:
 def _shifts(face: DesignedFace, size: float) -> list[tuple[float, float]]:
     """Shifts by which a measurement, of this size in parts of the face, may be off."""
     slack = abs(1 - size)
-    steps = np.ceil(slack / _STEP) if slack > _STEP / 2 else 0
-    along: list[Iterator[float]] = [
-        iter(
-            (r * slack * np.linspace(-1, 1, 2 * int(steps) + 1) if steps else np.zeros(1)).tolist()
-        )
-        for r in face.net.half_width
-    ]
-    return list(product(*along))
+    steps = int(np.ceil(slack / _STEP)) if slack > _STEP / 2 else 0
+    along = slack * np.linspace(-1, 1, 2 * steps + 1) if steps else np.zeros(1)
+    r_x, r_y = face.net.half_width
+    return [(r_x * x, r_y * y) for x in along.tolist() for y in along.tolist()]
 
 
 def _merit(points: Array, face: DesignedFace, least: float) -> float:

@@ -16,7 +16,7 @@ from workbench.measured.surfaces.x3p import read_x3p
 from workbench.measured.text import problem_in
 from workbench.messages import Message
 
-__all__ = ["ENDINGS", "MeasuredSurface", "PictureScale", "read_surface"]
+__all__ = ["ENDINGS", "UNITS", "MeasuredSurface", "PictureScale", "read_surface"]
 
 
 def _read_asc(content: bytes) -> MeasuredSurface:
@@ -32,6 +32,8 @@ _READERS: Mapping[str, Callable[[bytes], MeasuredSurface]] = {
     ".stl": read_stl,
 }
 ENDINGS = (*_READERS, *_PICTURES)
+UNITS = ("mm", "cm", "m", "inch", "um", "nm")
+"""Units that a measurement may have."""
 _LARGEST = 1 << 30  # bytes
 
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image
 
+from workbench.arrays import AnyArray
 from workbench.measured.surfaces.points import MeasuredSurface, checked_size, surface_of_grid
 from workbench.messages import Message
 from workbench.units import WRITTEN
@@ -46,14 +47,17 @@ def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
         )
     if "Beside the lens" in text:
         heights[heights == 0] = np.nan
+    x: AnyArray
+    y: AnyArray
     if scale is not None:
         low, high = scale.low, scale.high
         x, y = scale.pixel * np.arange(columns), scale.pixel * np.arange(rows)[::-1]
     else:
         try:
             low, high = float(text.get("Black", 0)), float(text.get("White", 1))
-            x = np.linspace(*(float(text[f"x of {end} column"]) for end in _ENDS), columns)
-            y = np.linspace(*(float(text[f"y of {end} row"]) for end in _ENDS), rows)
+            left, right = (float(text[f"x of {end} column"]) for end in ("first", "last"))
+            top, bottom = (float(text[f"y of {end} row"]) for end in ("first", "last"))
+            x, y = np.linspace(left, right, columns), np.linspace(top, bottom, rows)
         except (KeyError, ValueError):
             raise ValueError(
                 Message("it has no scale; give the size of a pixel and the heights")
@@ -62,9 +66,6 @@ def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
         heights = low + heights * ((high - low) / _DEEPEST)
     unit = text.get("Length unit")
     return surface_of_grid(x, y, heights, unit if unit in WRITTEN and scale is None else None)
-
-
-_ENDS = ("first", "last")
 
 
 def _text_of(image: Image.Image) -> Mapping[str, str]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from workbench.arrays import Array
+from workbench.arrays import AnyArray, Array
 from workbench.messages import Message
 
 MOST_POINTS = 16_000_000
@@ -46,7 +46,9 @@ def surface_of(points: Array, unit: str | None = None) -> MeasuredSurface:
     return MeasuredSurface((kept,), unit, len(points) - len(kept))
 
 
-def surface_of_grid(x: Array, y: Array, heights: Array, unit: str | None = None) -> MeasuredSurface:
+def surface_of_grid(
+    x: AnyArray, y: AnyArray, heights: Array, unit: str | None = None
+) -> MeasuredSurface:
     """Return the surface of heights (n_y, n_x) at x (n_x,) and y (n_y,); NaN where there is none.
 
     Raise ValueError if too few are left.

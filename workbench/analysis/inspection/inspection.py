@@ -1,0 +1,244 @@
+"""Inspection of made parts: what each of them, and what all of them deviate from the design."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from workbench.analysis.inspection.alignment import Alignment, aligned
+from workbench.analysis.inspection.placement import DesignedFace
+from workbench.analysis.inspection.relief import by_relief
+from workbench.analysis.inspection.residual import Residual, residual_of
+from workbench.analysis.inspection.starts import mean_plane, relief
+from workbench.analysis.validation_figures import Validation
+from workbench.arrays import Array
+from workbench.design.lens_state import FurtherLight
+from workbench.design.session import Session, result_of
+from workbench.errors import Refused
+from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import nets_of
+from workbench.measured.surfaces import UNITS, MeasuredSurface
+from workbench.messages import Message
+from workbench.scene import Scene
+from workbench.units import WRITTEN
+
+# Sizes of a measurement in parts of the face, and of its relief, that need no other unit.
+_SIZES, _RELIEFS, _FITTING = (0.25, 3.0), (0.2, 5.0), (0.5, 2.0)
+
+
+class Units(NamedTuple):
+    """Units of a measurement; None for that of the file, or else of the scene."""
+
+    length: str | None = None
+    heights: str | None = None  # by default as ``length``
+
+
+AS_STATED = Units()
+"""Units of the file, or else of the scene."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredPart:
+    """A made part: where its measurement stands, and its residual."""
+
+    name: str
+    alignment: Alignment
+    residual: Residual
+    missing: int  # places of the file without a height
+
+    def to_data(self, micrometre: float) -> dict[str, Any]:
+        """The figures by name, for JSON; ``micrometre`` in scene units."""
+        found, at = self.residual, self.alignment
+        placement = at.placement
+        return {
+            "file": self.name,
+            "points": len(found.offsets),
+            "missing": self.missing,
+            "spikes": found.spikes,
+            "covered": found.covered,
+            "rms_um": found.rms / micrometre,
+            "peak_to_valley_um": found.peak_to_valley / micrometre,
+            "slope_rms_mrad": 1e3 * found.slope_rms,
+            "resolved_rms_um": found.resolved_rms / micrometre,
+            "resolved_by": list(found.net.shape),
+            "rest_rms_um": found.noise / micrometre,
+            "rotation": placement.rotation.tolist(),
+            "shift": placement.shift.tolist(),
+            "scale": placement.scale,
+            "turn_error_degrees": _listed(at.turn_error),
+            "shift_error_um": _listed(at.shift_error / micrometre),
+            "scale_error": at.scale_error,
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """Made parts beside the design of one of their faces."""
+
+    scene: Scene
+    heights: Mapping[str, Array]  # as designed, of all faces
+    face: DesignedFace
+    parts: tuple[MeasuredPart, ...]
+
+    @property
+    def micrometre(self) -> float:
+        """A micrometre in scene units."""
+        return float(WRITTEN["um"] / WRITTEN[self.scene.unit])
+
+    @cached_property
+    def repeating(self) -> Array:
+        """What repeats: the mean of the resolved residuals, control heights (n_u, n_v)."""
+        return np.asarray(np.mean([part.residual.on_design for part in self.parts], axis=0))
+
+    @property
+    def spread(self) -> float | None:
+        """RMS by which parts differ from their mean, scene units; None for one part."""
+        if len(self.parts) < 2:
+            return None
+        x, y, _ = self.face.samples.T
+        each = [self.face.net.at(x, y, part.residual.on_design)[0] for part in self.parts]
+        return float(np.sqrt(np.var(each, axis=0, ddof=1).mean()))
+
+    def as_measured(self, part: MeasuredPart) -> FaceArrays[np.float64]:
+        """Control heights of all faces, with this one as measured."""
+        there = self.face.heights + part.residual.on_design
+        return FaceArrays({**self.heights, self.face.name: there})
+
+    def corrected(self, made_from: Mapping[str, Array] | None = None) -> FaceArrays[np.float64]:
+        """Control heights of all faces, with this one less what repeats.
+
+        ``made_from`` are the heights that the measured parts were made from, if they are not the
+        designed ones.
+        """
+        base = self.heights if made_from is None else made_from
+        return FaceArrays({**base, self.face.name: base[self.face.name] - self.repeating})
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON."""
+        return {
+            "face": self.face.name,
+            "unit": self.scene.unit,
+            "parts": [part.to_data(self.micrometre) for part in self.parts],
+            "spread_um": None if self.spread is None else self.spread / self.micrometre,
+        }
+
+
+def inspected(
+    session: Session,
+    surfaces: Iterable[tuple[str, MeasuredSurface]],
+    face: str | None = None,
+    unit: Units = AS_STATED,
+    with_scale: bool = False,
+) -> Inspection:
+    """Align measured surfaces, by their names, to a face of the lens of a session.
+
+    ``face`` is by default the designed face. Raise Refused if a surface does not fit.
+    """
+    scene, heights = session.scene, result_of(session).state.heights
+    nets = nets_of(scene)
+    name = face or scene.optic.designed_face
+    if name not in nets:
+        raise Refused(
+            "face",
+            Message("{face!r} is no freeform face; {known}", face=name, known=", ".join(nets)),
+        )
+    designed = DesignedFace.of(scene, heights[name], name)
+    parts = tuple(
+        _part(file, surface, scene, designed, unit, with_scale) for file, surface in surfaces
+    )
+    return Inspection(scene, heights, designed, parts)
+
+
+def corrected_session(
+    session: Session, heights: FaceArrays[np.float64], light: Validation
+) -> Session:
+    """Return a session with other control heights of its lens, and with their light."""
+    first, *others = (each.by_cells or each for each in light.images)
+    state = {
+        "heights": heights,
+        "irradiance": first.irradiance,
+        "loss": first.loss,
+        "account": first.account,
+        "further": tuple(FurtherLight(one.irradiance, one.loss, one.account) for one in others),
+        "shortfall": None,
+    }
+    return Session(
+        session.scene,
+        session.target,
+        result_of(session).with_state(**state),
+        session.locked,
+        view=session.view,
+        picture=session.picture,
+    )
+
+
+def _part(
+    file: str,
+    surface: MeasuredSurface,
+    scene: Scene,
+    face: DesignedFace,
+    unit: Units,
+    with_scale: bool,
+) -> MeasuredPart:
+    length = unit.length or surface.unit or scene.unit
+    factors = [
+        float(WRITTEN[each] / WRITTEN[scene.unit]) for each in (length, unit.heights or length)
+    ]
+    patches = [patch * [factors[0], factors[0], factors[1]] for patch in surface.patches]
+    _check_units(max(patches, key=len), face, file, length, unit.heights or length)
+    first = aligned(patches, face, file, with_scale)
+    rough = residual_of(face, first.placement, first.patch, file)
+    alignment = by_relief(first, face, rough.net)
+    found = residual_of(face, alignment.placement, alignment.patch, file)
+    return MeasuredPart(file, alignment, found, surface.missing)
+
+
+def _check_units(points: Array, face: DesignedFace, file: str, length: str, heights: str) -> None:
+    """Raise Refused if sizes fit in another unit only."""
+    ours, theirs = (_extent(each) for each in (face.samples, points))
+    if not _SIZES[0] <= theirs / ours <= _SIZES[1]:
+        fitting = _fitting(theirs / ours, length)
+        raise Refused(
+            file,
+            Message(
+                "its points are {size:.3g} times as wide as {face}; {fitting}",
+                size=theirs / ours,
+                face=face.name,
+                fitting=Message("the unit {unit} fits", unit=fitting)
+                if fitting
+                else Message(
+                    "at least half of the face is needed, in the unit {unit}", unit=length
+                ),
+            ),
+        )
+    ours, theirs = relief(face.samples), relief(points)
+    if ours and not _RELIEFS[0] <= theirs / ours <= _RELIEFS[1]:
+        fitting = _fitting(theirs / ours, heights)
+        if fitting:
+            raise Refused(
+                file,
+                Message(
+                    "its relief is {size:.3g} times that of {face}; heights in {unit} fit",
+                    size=theirs / ours,
+                    face=face.name,
+                    unit=fitting,
+                ),
+            )
+
+
+def _fitting(size: float, unit: str) -> str | None:
+    """Another unit in which a size is about that of the face."""
+    low, high = _FITTING
+    sizes = {each: size * float(WRITTEN[each] / WRITTEN[unit]) for each in UNITS}
+    return next((each for each in UNITS if each != unit and low <= sizes[each] <= high), None)
+
+
+def _extent(points: Array) -> float:
+    centre, axes = mean_plane(points)
+    return float(np.ptp((points - centre) @ axes[:, :2], axis=0).max())
+
+
+def _listed(errors: Array) -> list[float | None]:
+    return [float(error) if np.isfinite(error) else None for error in errors]
