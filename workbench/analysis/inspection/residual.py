@@ -165,8 +165,8 @@ def _best_net(cells: Cells, half_width: tuple[float, float]) -> tuple[ControlNet
         if len(errors) - np.argmin(errors) > _PATIENCE:
             break
     least = min(error for error, _ in found)
-    # Scatter of an estimated variance of so many values.
-    enough = least * (1 + 2 * (2 / len(cells.points)) ** 0.5)
+    # Errors of two nets differ by far less than the scatter of a variance of so many values.
+    enough = least * (1 + 0.2 * (2 / len(cells.points)) ** 0.5)
     error, net = next(each for each in found if each[0] <= enough)
     return net, float(np.sqrt(error))
 
