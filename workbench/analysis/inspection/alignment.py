@@ -17,11 +17,11 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 
-_STARTS, _FEW, _MANY = 8, 3000, 200_000  # placements and points of the search, points of the end
+_STARTS, _FEW, _MANY = 6, 1000, 200_000  # placements and points of the search, points of the end
 # Most steps, and by how much the last ones move the points, in half-widths; the longest step.
-_STEPS, _NEAR, _CONVERGED, _LONGEST = 60, 1e-4, 1e-9, 0.2
+_STEPS, _NEAR, _CONVERGED, _LONGEST = 60, 1e-3, 1e-9, 0.2
 _TUKEY = 4.685 * 1.4826  # times the median of the absolute distances
-_UNDETERMINED = 1e-13  # eigenvalue of the normalised equations
+_UNDETERMINED, _ROUNDING = 1e-13, 1e-7  # eigenvalue of the normalised equations; size of a column
 _BLOCKS = 4  # along x and y; errors within a block may hang together
 # How far points may be off, in parts of the relief; beside a flat face, in half-widths.
 _FARTHEST, _FLAT = 0.3, 1e-4
@@ -129,7 +129,8 @@ def solved(rows: Array, weights: Array, values: Array) -> Array:
 
 def _inverse(normal: Array) -> tuple[Array, Array]:
     """Pseudo-inverse, and which unknowns (k,) the equations leave open."""
-    size = np.sqrt(np.diag(normal).clip(1e-300))
+    size = np.sqrt(np.diag(normal))
+    size = size.clip(max(_ROUNDING * float(size.max()), 1e-300))
     values, vectors = np.linalg.eigh(normal / np.outer(size, size))
     open_ = values < _UNDETERMINED * values[-1]
     kept = vectors[:, ~open_]

@@ -11,7 +11,7 @@ from workbench.analysis.inspection.alignment import Alignment, aligned
 from workbench.analysis.inspection.placement import DesignedFace
 from workbench.analysis.inspection.relief import by_relief
 from workbench.analysis.inspection.residual import Residual, residual_of
-from workbench.analysis.inspection.starts import mean_plane, relief
+from workbench.analysis.inspection.starts import mean_plane, relief, thinned
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.design.lens_state import FurtherLight
@@ -24,8 +24,11 @@ from workbench.messages import Message
 from workbench.scene import Scene
 from workbench.units import WRITTEN
 
-# Sizes of a measurement in parts of the face, and of its relief, that need no other unit.
-_SIZES, _RELIEFS, _FITTING = (0.25, 3.0), (0.2, 5.0), (0.5, 2.0)
+# Sizes of a measurement and of its relief, in those of the face, that need no other unit; sizes
+# that speak for another unit. The relief of a part of a face, and of a face with its rim, differs.
+_SIZES, _RELIEFS, _FITTING = (0.25, 3.0), (0.02, 20.0), (0.4, 2.5)
+_FLAT = 1e-4  # relief in half-widths that says nothing of units
+_FEW = 2000  # points that tell a size
 
 
 class Units(NamedTuple):
@@ -183,11 +186,11 @@ def _part(
     with_scale: bool,
 ) -> MeasuredPart:
     length = unit.length or surface.unit or scene.unit
-    factors = [
-        float(WRITTEN[each] / WRITTEN[scene.unit]) for each in (length, unit.heights or length)
-    ]
-    patches = [patch * [factors[0], factors[0], factors[1]] for patch in surface.patches]
-    _check_units(max(patches, key=len), face, file, length, unit.heights or length)
+    heights = unit.heights or length
+    largest = max(surface.patches, key=len)
+    if not _fits(largest, face, scene, length, heights, _SIZES, _RELIEFS):
+        raise Refused(file, _other_units(largest, face, scene, length, heights))
+    patches = [_in_scene(patch, scene, length, heights) for patch in surface.patches]
     first = aligned(patches, face, file, with_scale)
     rough = residual_of(face, first.placement, first.patch, file)
     alignment = by_relief(first, face, rough.net)
@@ -195,44 +198,53 @@ def _part(
     return MeasuredPart(file, alignment, found, surface.missing)
 
 
-def _check_units(points: Array, face: DesignedFace, file: str, length: str, heights: str) -> None:
-    """Raise Refused if sizes fit in another unit only."""
-    ours, theirs = (_extent(each) for each in (face.samples, points))
-    if not _SIZES[0] <= theirs / ours <= _SIZES[1]:
-        fitting = _fitting(theirs / ours, length)
-        raise Refused(
-            file,
-            Message(
-                "its points are {size:.3g} times as wide as {face}; {fitting}",
-                size=theirs / ours,
-                face=face.name,
-                fitting=Message("the unit {unit} fits", unit=fitting)
-                if fitting
-                else Message(
-                    "at least half of the face is needed, in the unit {unit}", unit=length
-                ),
-            ),
-        )
-    ours, theirs = relief(face.samples), relief(points)
-    if ours and not _RELIEFS[0] <= theirs / ours <= _RELIEFS[1]:
-        fitting = _fitting(theirs / ours, heights)
-        if fitting:
-            raise Refused(
-                file,
-                Message(
-                    "its relief is {size:.3g} times that of {face}; heights in {unit} fit",
-                    size=theirs / ours,
+def _in_scene(points: Array, scene: Scene, length: str, heights: str) -> Array:
+    along, up = (float(WRITTEN[each] / WRITTEN[scene.unit]) for each in (length, heights))
+    return np.asarray(points * [along, along, up])
+
+
+def _fits(
+    points: Array,
+    face: DesignedFace,
+    scene: Scene,
+    length: str,
+    heights: str,
+    sizes: tuple[float, float],
+    reliefs: tuple[float, float],
+) -> bool:
+    """Whether size and relief of points in these units are about those of the face."""
+    there = thinned(_in_scene(points, scene, length, heights), _FEW)
+    size, height = (of(there) / max(of(face.samples), 1e-300) for of in (_extent, relief))
+    is_flat = relief(face.samples) < _FLAT * max(face.net.half_width)
+    return sizes[0] <= size <= sizes[1] and (is_flat or reliefs[0] <= height <= reliefs[1])
+
+
+def _other_units(
+    points: Array, face: DesignedFace, scene: Scene, length: str, heights: str
+) -> Message:
+    """What is wrong with units in which points do not fit, and which units fit."""
+    pairs = [(each, each) for each in UNITS]
+    pairs += [(length, each) for each in UNITS] + [(each, heights) for each in UNITS]
+    for along, up in pairs:
+        if _fits(points, face, scene, along, up, _FITTING, _FITTING):
+            if along == up:
+                return Message(
+                    "it has another size than {face} in {old}; the unit {unit} fits",
                     face=face.name,
-                    unit=fitting,
-                ),
+                    old=length,
+                    unit=along,
+                )
+            return Message(
+                "its heights do not fit {face} in {old}; lengths in {unit} and heights in {up} fit",
+                face=face.name,
+                old=heights,
+                unit=along,
+                up=up,
             )
-
-
-def _fitting(size: float, unit: str) -> str | None:
-    """Another unit in which a size is about that of the face."""
-    low, high = _FITTING
-    sizes = {each: size * float(WRITTEN[each] / WRITTEN[unit]) for each in UNITS}
-    return next((each for each in UNITS if each != unit and low <= sizes[each] <= high), None)
+    return Message(
+        "it has another size or relief than {face}, and no unit fits; check part and face",
+        face=face.name,
+    )
 
 
 def _extent(points: Array) -> float:
