@@ -1,9 +1,12 @@
 """Inspection of simulated parts: known placements, known residuals, and what a correction gains."""
 
+import json
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from resources import path
 from tests.accounts import result_of
 from tests.analysis.lenses import net_of
 from workbench.analysis.inspection.alignment import aligned
@@ -11,10 +14,15 @@ from workbench.analysis.inspection.inspection import Units, corrected_session, i
 from workbench.analysis.inspection.placement import DesignedFace, Placement
 from workbench.analysis.inspection.residual import residual_of
 from workbench.analysis.validation import validate
+from workbench.design.design_run import DesignRun
 from workbench.design.session import Session
+from workbench.design.task import begin
 from workbench.errors import Refused
+from workbench.files.export.write import export
 from workbench.geometry.surface import ControlNet
+from workbench.measured.surfaces import read_surface
 from workbench.measured.surfaces.points import MeasuredSurface, surface_of
+from workbench.scene import Scene
 
 MICROMETRE = 1e-4  # cm
 FACE = "lens.back"
@@ -235,15 +243,19 @@ def error_of(session, heights):
 
 @pytest.fixture(scope="module")
 def designed():
-    """A lens designed for a spot beside a dark ground, with its light."""
-    from resources import path
-    from workbench.design.design_run import DesignRun
-    from workbench.files.session import open_design
-
-    run = DesignRun(open_design(path("examples", "letter.json")), iterations=8)
+    """A lens designed for a letter."""
+    data = json.loads(path("examples", "letter.json").read_text())
+    data["images"][0]["receiver"]["pixels"] = [96, 96]
+    data["elements"][0]["faces"][1]["control_points"] = [160, 160]
+    session = begin(Scene.from_data(data), path("examples"))
+    run = DesignRun(session, iterations=8)
     for _ in run:
         pass
     return run.session
+
+
+def warped(x, y):
+    return 3 * form(x, y)
 
 
 def test_a_corrected_second_part_is_as_good_as_the_design(designed):
@@ -251,9 +263,9 @@ def test_a_corrected_second_part_is_as_good_as_the_design(designed):
     face = DesignedFace.of(designed.scene, heights, FACE)
     net = ControlNet.of(designed.scene.optic)
     x, y = np.meshgrid(*net.positions, indexing="ij")
-    repeating = form(x, y)
+    repeating = warped(x, y)
     parts = [
-        turned(points_of(face, form, noise=0.1 * MICROMETRE, count=500, seed=k), k)[0]
+        turned(points_of(face, warped, noise=0.1 * MICROMETRE, count=400, seed=k), k)[0]
         for k in (1, 2)
     ]
     found = inspect(designed, *parts)
@@ -280,6 +292,19 @@ def test_corrected_session(session, face):
     )
     again = found.corrected(heights)
     np.testing.assert_allclose(again[FACE], heights[FACE] - found.repeating)
+
+
+@pytest.mark.parametrize(
+    ("name", "tolerance"),
+    [("a.height.png", 3e-6), ("a.height.csv", 1e-9), ("a.xyz", 1e-9), ("a.stl", 1e-6)],
+)
+def test_exports_are_read_as_measurements(session, tmp_path, name, tolerance):
+    path = tmp_path / name
+    assert list(export(session, [path]))
+    with path.open("rb") as file:
+        (part,) = inspected(session, [(name, read_surface(path, file))]).parts
+    assert part.residual.rms < tolerance
+    assert part.residual.covered == 1
 
 
 def test_a_mesh_of_several_patches(session, face):

@@ -187,10 +187,14 @@ def _part(
 ) -> MeasuredPart:
     length = unit.length or surface.unit or scene.unit
     heights = unit.heights or length
-    largest = max(surface.patches, key=len)
-    if not _fits(largest, face, scene, length, heights, _SIZES, _RELIEFS):
+    patches = [
+        _in_scene(patch, scene, length, heights)
+        for patch in surface.patches
+        if _fits(patch, face, scene, length, heights, _SIZES, _RELIEFS)
+    ]
+    if not patches:
+        largest = max(surface.patches, key=len)
         raise Refused(file, _other_units(largest, face, scene, length, heights))
-    patches = [_in_scene(patch, scene, length, heights) for patch in surface.patches]
     first = aligned(patches, face, file, with_scale)
     rough = residual_of(face, first.placement, first.patch, file)
     alignment = by_relief(first, face, rough.net)

@@ -1,12 +1,10 @@
 """Heights as 16-bit PNG or TIFF, or as TIFF of floating-point values; row 0 at +y.
 
-The scale is in the file, as `freeform export` writes it for .height.png and .height.tiff, or it is
-given with the file.
+The scale is in the text of a PNG, as `freeform export` writes it for .height.png, or it is given
+with the file.
 """
 
 import io
-import re
-from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -17,9 +15,7 @@ from workbench.measured.surfaces.points import MeasuredSurface, checked_size, su
 from workbench.messages import Message
 from workbench.units import WRITTEN
 
-_DESCRIPTION = 270  # TIFF tag
 _DEEPEST = 65535
-_ENTRIES = re.compile(r"([xy] of (?:first|last) (?:column|row)|Length unit) ([^,]+)")
 
 
 class PictureScale(NamedTuple):
@@ -35,7 +31,8 @@ def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
     try:
         with Image.open(io.BytesIO(content), formats=("PNG", "TIFF")) as image:
             columns, rows = checked_size(*image.size)
-            mode, text = image.mode, _text_of(image)
+            mode = image.mode
+            text = {name: str(value) for name, value in image.info.items()}
             heights = np.asarray(image, dtype=np.float64)
     except ValueError:
         raise
@@ -66,10 +63,3 @@ def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
         heights = low + heights * ((high - low) / _DEEPEST)
     unit = text.get("Length unit")
     return surface_of_grid(x, y, heights, unit if unit in WRITTEN and scale is None else None)
-
-
-def _text_of(image: Image.Image) -> Mapping[str, str]:
-    described = getattr(image, "tag_v2", {}).get(_DESCRIPTION)
-    if described is not None:
-        return dict(_ENTRIES.findall(str(described)))
-    return {name: str(value) for name, value in image.info.items() if isinstance(name, str)}
