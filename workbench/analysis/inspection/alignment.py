@@ -17,7 +17,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.messages import Message
 
-_STARTS, _FEW, _MANY = 6, 1000, 200_000  # placements and points of the search, points of the end
+_STARTS, _FEW, _MANY = 6, 1000, 50_000  # placements and points of the search, points of the end
 # Most steps, and by how much the last ones move the points, in half-widths; the longest step.
 _STEPS, _NEAR, _CONVERGED, _LONGEST = 60, 1e-3, 1e-9, 0.2
 _TUKEY = 4.685 * 1.4826  # times the median of the absolute distances

@@ -198,7 +198,7 @@ def _part(
     first = aligned(patches, face, file, with_scale)
     rough = residual_of(face, first.placement, first.patch, file)
     alignment = by_relief(first, face, rough.net)
-    found = residual_of(face, alignment.placement, alignment.patch, file)
+    found = residual_of(face, alignment.placement, alignment.patch, file, rough.net)
     return MeasuredPart(file, alignment, found, surface.missing)
 
 

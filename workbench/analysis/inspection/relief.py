@@ -15,7 +15,7 @@ from workbench.analysis.inspection.residual import points_on
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 
-_ROUNDS = 3
+_ROUNDS = 2
 _BLOCKS = 8  # along x and y, for standard errors
 
 

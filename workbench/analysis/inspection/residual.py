@@ -116,14 +116,20 @@ def points_on(face: DesignedFace, placement: Placement, points: Array) -> OnFace
     return OnFace(offsets[kept], found.distance[kept], int((~kept).sum()))
 
 
-def residual_of(face: DesignedFace, placement: Placement, points: Array, file: str) -> Residual:
-    """Return the residual of measured points (n, 3) of a face.
+def residual_of(
+    face: DesignedFace,
+    placement: Placement,
+    points: Array,
+    file: str,
+    finest: ControlNet | None = None,
+) -> Residual:
+    """Return the residual of measured points (n, 3) of a face, by a net up to ``finest``.
 
     Raise Refused, with ``file``, if they cover too little of the face.
     """
     found = points_on(face, placement, points)
     cells = Cells.of(found.offsets, face.net.half_width)
-    net, noise = _best_net(cells, face.net.half_width)
+    net, noise = _best_net(cells, face.net.half_width, _spans_up_to(finest))
     control = Fit(net, cells).control(cells.points[:, 2])
     result = Residual(face, *found, net, control, noise)
     if result.covered < _LEAST_COVERED:
@@ -151,30 +157,44 @@ def _spikes(points: Array, half_width: tuple[float, float]) -> np.typing.NDArray
     return np.asarray(off > _SPIKE * np.median(off))
 
 
-def _best_net(cells: Cells, half_width: tuple[float, float]) -> tuple[ControlNet, float]:
-    """The coarsest net whose fit of each half predicts the other half as well as any; the noise."""
+def _spans_up_to(net: ControlNet | None) -> tuple[int, ...]:
+    if net is None:
+        return _SPANS
+    own = _SPANS.index(max(n - p for n, p in zip(net.shape, net.degree, strict=True)))
+    return _SPANS[: own + 1]
+
+
+def _best_net(
+    cells: Cells, half_width: tuple[float, float], choice: tuple[int, ...]
+) -> tuple[ControlNet, float]:
+    """The coarsest net whose fit of each half predicts the other half as well as any; the noise.
+
+    As well is: within one standard error of the difference, cell by cell.
+    """
     half = np.random.default_rng(2).integers(0, 2, len(cells.points)).astype(np.float64)
-    found: list[tuple[float, ControlNet]] = []
-    for longer in _SPANS:
+    nets: list[ControlNet] = []
+    squares: list[Array] = []
+    for longer in choice:
         spans = [max(round(longer * r / max(half_width)), 1) for r in half_width]
         net = ControlNet((spans[0] + _DEGREE[0], spans[1] + _DEGREE[1]), _DEGREE, half_width)
-        if _LEAST_CELLS * net.shape[0] * net.shape[1] > len(cells.points) and found:
+        if _LEAST_CELLS * net.shape[0] * net.shape[1] > len(cells.points) and nets:
             break
-        found.append((_prediction_error(Fit(net, cells), cells, half), net))
-        errors = [error for error, _ in found]
-        if len(errors) - np.argmin(errors) > _PATIENCE:
+        nets.append(net)
+        squares.append(_prediction_errors(Fit(net, cells), cells, half))
+        if len(nets) - np.argmin([each.mean() for each in squares]) > _PATIENCE:
             break
-    least = min(error for error, _ in found)
-    # Errors of two nets differ by far less than the scatter of a variance of so many values.
-    enough = least * (1 + 0.2 * (2 / len(cells.points)) ** 0.5)
-    error, net = next(each for each in found if each[0] <= enough)
-    return net, float(np.sqrt(error))
+    best = min(squares, key=np.mean)
+    net, error = next(
+        (net, each)
+        for net, each in zip(nets, squares, strict=True)
+        if (each - best).mean() <= (each - best).std() / len(best) ** 0.5
+    )
+    return net, float(np.sqrt(error.mean()))
 
 
-def _prediction_error(fit: Fit, cells: Cells, half: Array) -> float:
-    """Mean square of what a fit of one half leaves of the other half, for one point."""
-    heights, total = cells.points[:, 2:], 0.0
-    for own in (half, 1 - half):
-        left = heights - fit.basis @ fit.solved(heights, own * cells.weights)
-        total += float(((1 - own) * cells.weights * left[:, 0] ** 2).sum())
-    return total / len(heights)
+def _prediction_errors(fit: Fit, cells: Cells, half: Array) -> Array:
+    """Squares (m,) of what a fit of the other half leaves of each cell, for one point."""
+    heights = cells.points[:, 2:]
+    others = [fit.basis @ fit.solved(heights, own * cells.weights) for own in (1 - half, half)]
+    predicted = np.where(half[:, None] > 0, *others)
+    return np.asarray(cells.weights * (heights - predicted)[:, 0] ** 2)
