@@ -8295,6 +8295,46 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>{z:g}: Das Licht kommt quer zur z-Achse auf den Schirm, entlang der sich sein Abstand ändert; {now:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>its points do not fit {face}: they are off by {off:.3g} and the relief of the face is {relief:.3g}; check the part, the face and the unit</source>
+            <translation>ihre Punkte passen nicht zu {face}: sie weichen um {off:.3g} ab, und das Relief der Fläche ist {relief:.3g}; Teil, Fläche und Einheit prüfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>it is a mirror image of the face: reverse the sign of its heights</source>
+            <translation>sie ist ein Spiegelbild der Fläche: das Vorzeichen ihrer Höhen umkehren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>it is a mirror image of the face: reverse the sign of its x</source>
+            <translation>sie ist ein Spiegelbild der Fläche: das Vorzeichen ihres x umkehren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>{face!r} is no freeform face; {known}</source>
+            <translation>{face!r} ist keine Freiformfläche; {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>it has another size than {face} in {old}; the unit {unit} fits</source>
+            <translation>sie ist in {old} anders groß als {face}; die Einheit {unit} passt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>its heights do not fit {face} in {old}; lengths in {unit} and heights in {up} fit</source>
+            <translation>ihre Höhen passen in {old} nicht zu {face}; Längen in {unit} und Höhen in {up} passen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>it has another size or relief than {face}, and no unit fits; check part and face</source>
+            <translation>sie hat eine andere Größe oder ein anderes Relief als {face}, und keine Einheit passt; Teil und Fläche prüfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/residual.py" />
+            <source>it covers {covered:.0f} % of {face}; at least {least:.0f} % are needed</source>
+            <translation>sie bedeckt {covered:.0f} % von {face}; mindestens {least:.0f} % sind nötig</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/light_limit.py" />
             <source>{part} % meets the lens</source>
             <translation>{part} % treffen die Linse</translation>
@@ -9945,6 +9985,131 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>ihr Kopf nennt {value} für "{name}"; erlaubt sind 0 bis {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/surfaces/__init__.py" />
+            <source>is no measured surface; {endings} are known</source>
+            <translation>ist keine gemessene Fläche; bekannt sind {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/esri.py" />
+            <source>its header has no ncols, nrows and cellsize</source>
+            <translation>ihrem Kopf fehlen ncols, nrows und cellsize</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/esri.py" />
+            <source>it has {found} heights; {columns} × {rows} are needed</source>
+            <translation>sie hat {found} Höhen; {columns} × {rows} sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it is damaged or incomplete: {why}</source>
+            <translation>sie ist beschädigt oder unvollständig: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it has {mode} pixels; grey of 16 bits or floats are needed</source>
+            <translation>sie hat Pixel der Art {mode}; Grau mit 16 Bit oder Gleitkommazahlen sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it has no scale; give the size of a pixel and the heights</source>
+            <translation>sie hat keinen Maßstab; Pixelgröße und Höhen angeben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/points.py" />
+            <source>it has {count} points with a height; at least {least} are needed</source>
+            <translation>sie hat {count} Punkte mit einer Höhe; mindestens {least} sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/points.py" />
+            <source>it has {columns} × {rows} points; 1 to {most} million are possible</source>
+            <translation>sie hat {columns} × {rows} Punkte; möglich sind 1 bis {most} Millionen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it begins neither with aISO-1.0 nor with bISO-1.0</source>
+            <translation>sie beginnt weder mit aISO-1.0 noch mit bISO-1.0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it is compressed; save it without compression</source>
+            <translation>sie ist komprimiert; ohne Kompression speichern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its DataType is {found}; 0 to 7 are known</source>
+            <translation>ihr DataType ist {found}; bekannt sind 0 bis 7</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it is cut off</source>
+            <translation>sie ist abgeschnitten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it has no line * behind its header</source>
+            <translation>ihr fehlt die Zeile * nach dem Kopf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its header has no {name}</source>
+            <translation>ihrem Kopf fehlt {name}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its Xscale, Yscale and Zscale are not all greater than 0</source>
+            <translation>ihre Xscale, Yscale und Zscale sind nicht alle größer als 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>a vertex of it has a value that is no finite number</source>
+            <translation>ein Eckpunkt hat einen Wert, der keine endliche Zahl ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>no smooth part of its mesh has {least} vertices</source>
+            <translation>kein glatter Teil ihres Netzes hat {least} Eckpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>it has {count} triangles; 1 to {most} million are possible</source>
+            <translation>sie hat {count} Dreiecke; möglich sind 1 bis {most} Millionen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>no line of it begins with three numbers x, y and z</source>
+            <translation>keine ihrer Zeilen beginnt mit drei Zahlen x, y und z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>it has more than {most} million points</source>
+            <translation>sie hat mehr als {most} Millionen Punkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>its line {number} has no x, y and z: {line!r}</source>
+            <translation>ihrer Zeile {number} fehlen x, y und z: {line!r}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its entry {name} is too long</source>
+            <translation>ihr Eintrag {name} ist zu lang</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its main.xml has no {path}</source>
+            <translation>ihrer main.xml fehlt {path}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its axis {axis} has no values</source>
+            <translation>ihre Achse {axis} hat keine Werte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its DataType is {found!r}; I, L, F, D are known</source>
+            <translation>ihr DataType ist {found!r}; bekannt sind I, L, F, D</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/text.py" />
             <source>{word!r} stands where a number is needed</source>
             <translation>{word!r} steht, wo eine Zahl nötig ist</translation>
@@ -9963,11 +10128,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/measured/text.py" />
             <source>text behind the last number is ignored: {text!r}</source>
             <translation>Text hinter der letzten Zahl wird ignoriert: {text!r}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/text.py" />
-            <source>it is cut off</source>
-            <translation>sie ist abgeschnitten</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/text.py" />

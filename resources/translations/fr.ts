@@ -8295,6 +8295,46 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>{z:g} : la lumière vient à l'écran en travers de l'axe z, le long duquel sa distance change ; {now:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>its points do not fit {face}: they are off by {off:.3g} and the relief of the face is {relief:.3g}; check the part, the face and the unit</source>
+            <translation>ses points ne correspondent pas à {face} : ils s'écartent de {off:.3g}, et le relief de la face est de {relief:.3g} ; vérifiez la pièce, la face et l'unité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>it is a mirror image of the face: reverse the sign of its heights</source>
+            <translation>c'est une image en miroir de la face : inversez le signe de ses hauteurs</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/alignment.py" />
+            <source>it is a mirror image of the face: reverse the sign of its x</source>
+            <translation>c'est une image en miroir de la face : inversez le signe de son x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>{face!r} is no freeform face; {known}</source>
+            <translation>{face!r} n'est pas une face freeform ; {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>it has another size than {face} in {old}; the unit {unit} fits</source>
+            <translation>en {old}, elle n'a pas la taille de {face} ; l'unité {unit} convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>its heights do not fit {face} in {old}; lengths in {unit} and heights in {up} fit</source>
+            <translation>en {old}, ses hauteurs ne correspondent pas à {face} ; longueurs en {unit} et hauteurs en {up} conviennent</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>it has another size or relief than {face}, and no unit fits; check part and face</source>
+            <translation>elle a une autre taille ou un autre relief que {face}, et aucune unité ne convient ; vérifiez la pièce et la face</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/residual.py" />
+            <source>it covers {covered:.0f} % of {face}; at least {least:.0f} % are needed</source>
+            <translation>elle couvre {covered:.0f} % de {face} ; il en faut au moins {least:.0f} %</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/light_limit.py" />
             <source>{part} % meets the lens</source>
             <translation>{part} % atteint la lentille</translation>
@@ -9945,6 +9985,131 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>son en-tête indique {value} pour "{name}" ; de 0 à {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/surfaces/__init__.py" />
+            <source>is no measured surface; {endings} are known</source>
+            <translation>n'est pas une surface mesurée ; formats connus : {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/esri.py" />
+            <source>its header has no ncols, nrows and cellsize</source>
+            <translation>son en-tête n'a pas ncols, nrows et cellsize</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/esri.py" />
+            <source>it has {found} heights; {columns} × {rows} are needed</source>
+            <translation>il a {found} hauteurs ; il en faut {columns} × {rows}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it is damaged or incomplete: {why}</source>
+            <translation>il est endommagé ou incomplet : {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it has {mode} pixels; grey of 16 bits or floats are needed</source>
+            <translation>il a des pixels {mode} ; il faut du gris à 16 bits ou des nombres à virgule flottante</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/picture.py" />
+            <source>it has no scale; give the size of a pixel and the heights</source>
+            <translation>il n'a pas d'échelle ; indiquez la taille d'un pixel et les hauteurs</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/points.py" />
+            <source>it has {count} points with a height; at least {least} are needed</source>
+            <translation>il a {count} points avec une hauteur ; il en faut au moins {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/points.py" />
+            <source>it has {columns} × {rows} points; 1 to {most} million are possible</source>
+            <translation>il a {columns} × {rows} points ; 1 à {most} millions sont possibles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it begins neither with aISO-1.0 nor with bISO-1.0</source>
+            <translation>il ne commence ni par aISO-1.0 ni par bISO-1.0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it is compressed; save it without compression</source>
+            <translation>il est compressé ; enregistrez-le sans compression</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its DataType is {found}; 0 to 7 are known</source>
+            <translation>son DataType est {found} ; 0 à 7 sont connus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it is cut off</source>
+            <translation>il est tronqué</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>it has no line * behind its header</source>
+            <translation>il n'a pas de ligne * après son en-tête</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its header has no {name}</source>
+            <translation>son en-tête n'a pas {name}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/sdf.py" />
+            <source>its Xscale, Yscale and Zscale are not all greater than 0</source>
+            <translation>ses Xscale, Yscale et Zscale ne sont pas tous supérieurs à 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>a vertex of it has a value that is no finite number</source>
+            <translation>un de ses sommets a une valeur qui n'est pas un nombre fini</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>no smooth part of its mesh has {least} vertices</source>
+            <translation>aucune partie lisse de son maillage n'a {least} sommets</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/stl.py" />
+            <source>it has {count} triangles; 1 to {most} million are possible</source>
+            <translation>il a {count} triangles ; 1 à {most} millions sont possibles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>no line of it begins with three numbers x, y and z</source>
+            <translation>aucune de ses lignes ne commence par trois nombres x, y et z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>it has more than {most} million points</source>
+            <translation>il a plus de {most} millions de points</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/table.py" />
+            <source>its line {number} has no x, y and z: {line!r}</source>
+            <translation>sa ligne {number} n'a pas x, y et z : {line!r}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its entry {name} is too long</source>
+            <translation>son entrée {name} est trop longue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its main.xml has no {path}</source>
+            <translation>son main.xml n'a pas {path}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its axis {axis} has no values</source>
+            <translation>son axe {axis} n'a pas de valeurs</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/surfaces/x3p.py" />
+            <source>its DataType is {found!r}; I, L, F, D are known</source>
+            <translation>son DataType est {found!r} ; I, L, F, D sont connus</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/text.py" />
             <source>{word!r} stands where a number is needed</source>
             <translation>{word!r} se trouve là où il faut un nombre</translation>
@@ -9963,11 +10128,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/measured/text.py" />
             <source>text behind the last number is ignored: {text!r}</source>
             <translation>le texte après le dernier nombre est ignoré : {text!r}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/text.py" />
-            <source>it is cut off</source>
-            <translation>il est tronqué</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/text.py" />
