@@ -17,7 +17,6 @@ def add_inspect(commands: Any) -> None:
         "face makes good what repeats. Files of pictures need a scale unless they have one. "
         f"Formats: {', '.join(ENDINGS)}.",
         [
-            "inspect flame.freeform part.xyz --plot part.png",
             "inspect flame.freeform 1.sdf 2.sdf 3.sdf -o corrected.freeform",
             "inspect flame.freeform next.sdf --made-from corrected.freeform -o second.freeform",
         ],

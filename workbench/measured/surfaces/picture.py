@@ -8,7 +8,6 @@ import io
 from typing import NamedTuple
 
 import numpy as np
-from PIL import Image
 
 from workbench.arrays import AnyArray
 from workbench.measured.surfaces.points import MeasuredSurface, checked_size, surface_of_grid
@@ -28,6 +27,8 @@ class PictureScale(NamedTuple):
 
 def read_picture(content: bytes, scale: PictureScale | None) -> MeasuredSurface:
     """Read a picture of heights; raise ValueError if it is invalid or has no scale."""
+    from PIL import Image  # slow import
+
     try:
         with Image.open(io.BytesIO(content), formats=("PNG", "TIFF")) as image:
             columns, rows = checked_size(*image.size)

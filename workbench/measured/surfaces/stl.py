@@ -3,8 +3,6 @@
 import re
 
 import numpy as np
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
 
 from workbench.arrays import Array, Index
 from workbench.measured.surfaces.points import LEAST_POINTS, MOST_POINTS, MeasuredSurface
@@ -76,6 +74,9 @@ def _check(triangles: int) -> None:
 
 def _patches(vertices: Array, triangles: Index) -> list[Array]:
     """Vertices of each part of a mesh within which neighbouring triangles have no edge between."""
+    from scipy.sparse import csr_array  # slow import
+    from scipy.sparse.csgraph import connected_components
+
     ends = vertices[triangles]
     normals = np.cross(ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0])
     size = np.linalg.norm(normals, axis=1)
