@@ -1,6 +1,7 @@
 """Residuals of measured parts, and their light beside that of the design."""
 
 from collections.abc import Mapping
+from pathlib import PurePath
 from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
@@ -27,7 +28,7 @@ def write_inspection(
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     layout = ConstrainedLayoutEngine(w_pad=0.15, h_pad=0.1)
-    figure = Figure(figsize=(14, 3.6 * (len(found.parts) + 1)), layout=layout)
+    figure = Figure(figsize=(15, 3.1 * (len(found.parts) + 1)), layout=layout)
     panels = figure.subplots(len(found.parts) + 1, 4, squeeze=False)
     maps = [part.residual.map() for part in found.parts]
     measured = np.concatenate([each.ravel() for each, _ in maps])
@@ -39,7 +40,7 @@ def write_inspection(
             panels[row], each, ("residual as measured", "resolved residual"), strict=False
         ):
             _draw(axes, found, values, top)
-            axes.set_title(f"{part.name}: {name}", fontsize=_FONT)
+            axes.set_title(f"{PurePath(part.name).name}: {name}", fontsize=_FONT)
     scene = found.scene.wanted(target)[0].scene
     for row, (name, light) in enumerate(lights.items()):
         irradiance = (light.by_cells or light).irradiance
@@ -47,7 +48,7 @@ def write_inspection(
         IrradianceImage(lit, scene, target).update(irradiance)
         ErrorImage(off, scene, target).update(irradiance)
         error = 100 * light.verified.relative_l2_corrected
-        lit.set_title(f"{name}: {scene.receiver.density}", fontsize=_FONT)
+        lit.set_title(f"{PurePath(name).name}: {scene.receiver.density}", fontsize=_FONT)
         off.set_title(f"error, relative L2 {error:.3g} %", fontsize=_FONT)
     figure.savefig(file, dpi=_DPI, format="png")
 
