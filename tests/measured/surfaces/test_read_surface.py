@@ -123,10 +123,11 @@ def test_binary_surface_data_file(kind, type_, step):
     metres = Z * 1e-3
     stored = (metres / step).round() if step else metres
     stored = stored.astype(type_)
-    stored[0, 0] = np.iinfo(type_).min if step else np.nan
-    found = read("part.sdf", sdf(kind, stored, step or 1.0))
-    assert (found.unit, found.missing) == ("m", 1)
-    same(found, ORIGIN[1:] * 1e-3, max(step, 1e-10))
+    for missing in [np.iinfo(type_).min] if step else [np.nan, np.finfo(type_).max]:
+        stored[0, 0] = missing
+        found = read("part.sdf", sdf(kind, stored, step or 1.0))
+        assert (found.unit, found.missing) == ("m", 1)
+        same(found, ORIGIN[1:] * 1e-3, max(step, 1e-10))
 
 
 def test_text_surface_data_file():

@@ -61,7 +61,10 @@ def _binary(content: bytes) -> MeasuredSurface:
         raise ValueError(Message("it is cut off"))
     stored = np.frombuffer(content, kind, columns * rows, begin)
     heights = stored.astype(np.float64)
-    if kind.kind != "f" and kind.itemsize > 1:  # the value of points without a height
+    # Points without a height have the least or the largest number of their type.
+    if kind.kind == "f":
+        heights[np.abs(stored) >= np.finfo(kind).max] = np.nan
+    elif kind.itemsize > 1:
         limits = np.iinfo(kind)
         heights[stored == (limits.min if kind.kind == "i" else limits.max)] = np.nan
     scales = [float(header[name]) for name in ("xscale", "yscale", "zscale")]
