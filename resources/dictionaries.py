@@ -31,7 +31,7 @@ from workbench.jobs import JOBS
 from workbench.materials import CATALOGUE
 from workbench.optics.account import LOSSES, words_of
 from workbench.option_groups import OptionGroup
-from workbench.pictures.manufacture import MAPS
+from workbench.pictures.manufacture import LEGEND, MAPS
 from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
 from workbench.scene import FarField, Lens, Mirror, Part, Scene, Screen, Unit
@@ -106,7 +106,7 @@ def _of_engine() -> Iterator[str]:
         yield from (tolerance.title, tolerance.tip)
     for aspect in ASPECTS:
         yield from (aspect.name, aspect.tip)
-    yield from MAPS
+    yield from (*MAPS, *LEGEND)
     yield from (name for name in CATALOGUE if " " in name)  # others are codes
 
 

@@ -615,6 +615,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>By &amp;limits</source>
+            <translation>Nach &amp;Grenzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour faces of the lens by the limits of manufacture: red is exceeded, green within</source>
+            <translation>Flächen der Linse nach den Grenzen der Fertigung färben: rot überschritten, grün eingehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour faces of the mirror by the limits of manufacture: red is exceeded, green within</source>
+            <translation>Flächen des Spiegels nach den Grenzen der Fertigung färben: rot überschritten, grün eingehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Relief exaggerated</source>
             <translation>&amp;Relief überhöht</translation>
         </message>
@@ -1082,6 +1097,11 @@
             <location filename="../../ui/background.py" />
             <source>The {work} failed: {error}</source>
             <translation>{work} fehlgeschlagen: {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Limits in 3D</source>
+            <translation>Grenzen in 3D</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -2305,6 +2325,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
+            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
+            <translation>Rot und schraffiert, wo eine Grenze überschritten ist, sonst grün</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Dicke entlang z</translation>
         </message>
@@ -2332,6 +2357,11 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; schraffiert, wo eine Grenze verletzt ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>exceeded</source>
+            <translation>überschritten</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -4217,6 +4247,11 @@
             <location filename="../../ui/views/scene_contents.py" />
             <source>Mean curvature</source>
             <translation>Mittlere Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>within limits | exceeded</source>
+            <translation>eingehalten | überschritten</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
@@ -8163,6 +8198,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Convex curvature</source>
             <translation>Konvexe Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Within limits</source>
+            <translation>Grenzen eingehalten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>No limit is set</source>
+            <translation>Keine Grenze gesetzt</translation>
         </message>
         <message>
             <location filename="../../workbench" />

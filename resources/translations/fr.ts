@@ -615,6 +615,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>By &amp;limits</source>
+            <translation>Selon les &amp;limites</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour faces of the lens by the limits of manufacture: red is exceeded, green within</source>
+            <translation>Colorer les faces de la lentille selon les limites de fabrication : rouge dépassée, vert respectée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour faces of the mirror by the limits of manufacture: red is exceeded, green within</source>
+            <translation>Colorer les faces du miroir selon les limites de fabrication : rouge dépassée, vert respectée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Relief exaggerated</source>
             <translation>&amp;Relief exagéré</translation>
         </message>
@@ -1082,6 +1097,11 @@
             <location filename="../../ui/background.py" />
             <source>The {work} failed: {error}</source>
             <translation>Échec ({work}) : {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Limits in 3D</source>
+            <translation>Limites en 3D</translation>
         </message>
         <message>
             <location filename="../../ui/commands/actions.py" />
@@ -2305,6 +2325,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
+            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
+            <translation>Rouge et hachuré là où une limite est dépassée, vert ailleurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Épaisseur selon z</translation>
         </message>
@@ -2332,6 +2357,11 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; hachuré où une limite est dépassée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>exceeded</source>
+            <translation>dépassées</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -4217,6 +4247,11 @@
             <location filename="../../ui/views/scene_contents.py" />
             <source>Mean curvature</source>
             <translation>Courbure moyenne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>within limits | exceeded</source>
+            <translation>respectées | dépassées</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
@@ -8163,6 +8198,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Convex curvature</source>
             <translation>Courbure convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Within limits</source>
+            <translation>Limites respectées</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>No limit is set</source>
+            <translation>Aucune limite fixée</translation>
         </message>
         <message>
             <location filename="../../workbench" />

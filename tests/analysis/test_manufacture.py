@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 from scipy.interpolate import make_interp_spline
 
-from workbench.analysis.manufacture import manufacture, surface_maps
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.analysis.manufacture import (
+    Limits,
+    exceeded,
+    exceeding_points,
+    manufacture,
+    surface_maps,
+)
+from workbench.geometry.surface import ControlNet, freeform_nets, sample_faces
 
 HALF_WIDTH = (1.0, 0.8)
 RIM = math.hypot(*HALF_WIDTH)
@@ -142,3 +148,26 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
         assert extreme.bound == pytest.approx(0.5)
     assert found.steepest.bound == pytest.approx(0)
     assert found.tightest_concave.bound == found.tightest_convex.bound == math.inf
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_limits_are_exceeded_where_the_bowl_is_steep_deep_or_tight(make_scene, outline):
+    """A bowl of radius 2: slopes of 0.3 begin at r = 0.575, 1.3 ball cutters fit everywhere."""
+    lens, heights = lens_of(
+        make_scene, lambda x, y: 2.6 - np.sqrt(4 - x**2 - y**2), outline=outline
+    )
+    surfaces = sample_faces(lens, heights, (101, 81))
+    x, y, _ = np.moveaxis(surfaces["lens.back"], -1, 0)
+
+    def beyond(**limits):
+        return exceeding_points(lens, surfaces, heights, Limits(**limits))["lens.back"]
+
+    limit = math.degrees(math.atan(0.3))
+    off = np.hypot(x, y) - 0.3 / math.sqrt(1 + 0.3**2) * 2
+    clear = (abs(off) > 0.03) & (outline == "rectangle" or np.hypot(x, y / 0.8) < 0.98)
+    np.testing.assert_array_equal(beyond(max_slope=limit)[clear], (off > 0)[clear])
+    assert not beyond().any() and not beyond(min_tool_radius=1.3).any()
+    assert beyond(min_tool_radius=2.2)[clear].all() and beyond(min_radius=2.2)[clear].all()
+    maps = surface_maps(lens, heights, (101, 81))
+    thin = exceeded(maps, Limits(min_thickness=0.7))["thickness"]
+    np.testing.assert_array_equal(thin, maps.thickness < 0.7)

@@ -9,7 +9,7 @@ import pytest
 from tests.analysis.test_manufacture import ball, lens_of
 from workbench.analysis.manufacture import manufacture
 from workbench.errors import Refused
-from workbench.geometry.ball_cutter import GridFace, blocked_radius
+from workbench.geometry.ball_cutter import GridFace, blocked_places, blocked_radius
 from workbench.geometry.basis import basis_matrix, greville
 from workbench.geometry.body import check_body
 from workbench.geometry.curvature import local_shape
@@ -165,10 +165,10 @@ def test_tool_radius_is_that_of_the_largest_ball_that_fits_into_a_groove(make_sc
     assert found.place[0] == pytest.approx(0, abs=0.01)
 
 
-def profile(z, slope, x):
+def profile(z, slope, x, rows=3):
     """A profile as a face that is the same along y."""
-    y = np.linspace(0, 0.1, 3)
-    fields = (np.broadcast_to(each[:, None], (len(x), 3)) for each in (z, slope, 0 * x))
+    y = np.linspace(0, 0.1, rows)
+    fields = (np.broadcast_to(each[:, None], (len(x), rows)) for each in (z, slope, 0 * x))
     return GridFace(x, y, *fields)
 
 
@@ -181,3 +181,15 @@ def test_a_wall_far_away_is_in_the_way_of_a_large_ball():
     # The ground's last place and the wall's first are the tightest pair: a step apart, three high.
     assert radius == pytest.approx((1 + 3**2) * x[1] / (2 * 3))
     assert blocked_radius(face, 1e-3) is None
+
+
+def test_a_ball_is_blocked_on_the_ground_near_a_wall_and_nowhere_else():
+    """Beside a wall at 45° a ball of radius R touches the ground from R tan(22.5°) on."""
+    x = np.linspace(0, 2, 201)
+    wall = x > 1
+    face = profile(np.where(wall, x - 1, 0.0), np.where(wall, 1.0, 0.0), x, rows=33)
+    radius = 0.8
+    blocked = blocked_places(face, radius)[:, 0]
+    foot = 1 - radius * np.tan(np.pi / 8)
+    assert blocked[(x > foot + 0.05) & ~wall].all()
+    assert not blocked[x < foot - 0.05].any()

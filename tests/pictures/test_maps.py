@@ -3,13 +3,16 @@
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from workbench.analysis.manufacture import surface_maps
+from workbench.analysis.manufacture import exceeded, surface_maps
 from workbench.analysis.shop_limits import Limits
 from workbench.geometry.surface import ControlNet
+from workbench.pictures.axes import BEYOND, WITHIN
 from workbench.pictures.images import DerivativeImage
-from workbench.pictures.manufacture import draw_manufacture
+from workbench.pictures.manufacture import draw_manufacture, draw_map
+from workbench.targets.colour import SRGB
 
 
 @pytest.fixture
@@ -58,6 +61,30 @@ def drawn(maps, limits):
     figure = Figure()
     draw_manufacture(figure, maps, limits, "cm")
     return {axes.get_images()[0].get_label(): axes for axes in figure.axes}
+
+
+def test_one_map_shows_where_any_limit_is_exceeded(maps):
+    limits = Limits(max_slope=15.0, max_thickness=0.7)
+    axes = Figure().subplots()
+    count = draw_map(axes, "Limits", maps, limits, "cm")
+    masks = exceeded(maps, limits)
+    np.testing.assert_array_equal(count, sum(mask.astype(int) for mask in masks.values()))
+    assert count.max() == 2
+    assert hatched(axes, -0.98, 0.7) and not hatched(axes, 0.1, 0.0)
+    part = (masks["slope"].mean(), masks["thickness"].mean(), (count == 0).mean())
+    steep, thick, within = (f"{100 * each:.0f} %" for each in part)
+    texts = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert texts == [f"Within limits ({within})", f"Thickness ({thick})", f"Slope ({steep})"]
+    draw_map(axes := Figure().subplots(), "Limits", maps, Limits(), "cm")
+    assert axes.get_legend().get_texts()[0].get_text() == "No limit is set (100 %)"
+
+
+def test_areas_within_limits_are_told_from_others_by_their_brightness_alone():
+    red, green = (
+        sum(SRGB.light(np.array(to_rgb(colour))) * (0.2126, 0.7152, 0.0722))
+        for colour in (BEYOND, WITHIN)
+    )
+    assert (green + 0.05) / (red + 0.05) > 3
 
 
 def hatched(axes, x, y):

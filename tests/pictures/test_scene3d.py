@@ -26,6 +26,13 @@ def test_bowls_are_red_and_humps_blue():
     assert (red[5] < blue[5]).all()
 
 
+def test_areas_beyond_limits_are_red_and_others_green():
+    beyond = X > 0.5
+    seen = face_colours(surface(0 * X), "limits", "#8fc1e8", 1.0, beyond).reshape(41, 31, 3)
+    red, green, _ = np.moveaxis(seen.astype(int), -1, 0)
+    np.testing.assert_array_equal(red > green, beyond)
+
+
 @pytest.fixture(params=["parallel", "perspective"])
 def plotter(request, plotter):
     plotter.camera.position, plotter.camera.focal_point = (4.0, -5.0, 3.0), (0.2, 0.1, 0.5)

@@ -158,6 +158,10 @@ class Commands:
             one_of = QActionGroup(window)
             for name in names:
                 one_of.addAction(self[name])
+        faces = self["faces_material"].actionGroup()  # a second click leads back to the material
+        faces.setExclusionPolicy(QActionGroup.ExclusionPolicy.ExclusiveOptional)
+        faces.triggered.connect(self._show_faces)
+        self["faces_by_limits"].setIconText(tr("Limits in 3D"))
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
             self._fill(window.menuBar(), title, entries)
@@ -245,6 +249,10 @@ class Commands:
         for name, command in COMMANDS.items():
             if command.icon:
                 self[name].setIcon(theme.icon(command.icon, self._window.palette()))
+
+    def _show_faces(self, chosen: QAction) -> None:
+        if not chosen.isChecked():
+            self["faces_material"].setChecked(True)
 
     def _workspaces(self) -> QWidget:
         bar = QWidget(self._window.menuBar())

@@ -59,10 +59,11 @@ LOCKS = ("lock_all", "unlock_all", "invert_locks")
 RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
 """Commands for the colours of rays: whether by their weight."""
 
-FACES_BY: dict[str, Literal["material", "height", "curvature"]] = {
+FACES_BY: dict[str, Literal["material", "height", "curvature", "limits"]] = {
     "faces_material": "material",
     "faces_by_height": "height",
     "faces_by_curvature": "curvature",
+    "faces_by_limits": "limits",
 }
 """Commands for the colours of freeform faces in the 3D scene."""
 
@@ -180,6 +181,11 @@ COMMANDS = {
     "faces_by_curvature": Command(
         "By &curvature",
         "Colour faces of the {optic} by curvature: red is concave towards +z, blue convex",
+        checked=False,
+    ),
+    "faces_by_limits": Command(
+        "By &limits",
+        "Colour faces of the {optic} by the limits of manufacture: red is exceeded, green within",
         checked=False,
     ),
     "relief": Command(

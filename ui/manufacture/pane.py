@@ -5,7 +5,7 @@ from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Signal
 from PySide6.QtGui import QAction
 
 from ui.background import Background, Task
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 _PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
     (
+        "Red and hatched where a limit is exceeded, green elsewhere",
         "Thickness along z",
         "Angle between the face and a plane across the axis",
         "Largest concave curvature; zero where there is none",
@@ -62,9 +63,9 @@ class FaceMap(FaceMapView):
     def __init__(self) -> None:
         self._limits = Limits()
         self._maps: Mapping[str, SurfaceMaps] = {}
-        hatched = tr("; hatched where a limit is exceeded")
-        names = zip(MAPS, _TIPS, strict=True)
-        super().__init__([(tr(name), f"{tr(tip)}{hatched}") for name, tip in names])
+        hatched = ["", *(len(MAPS) - 1) * [tr("; hatched where a limit is exceeded")]]
+        names = zip(MAPS, _TIPS, hatched, strict=True)
+        super().__init__([(tr(name), f"{tr(tip)}{more}") for name, tip, more in names])
 
     def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
         self._maps = maps
@@ -92,7 +93,8 @@ class FaceMap(FaceMapView):
         return np.zeros((1, 1))  # the map is drawn at the beginning
 
     def _unit(self, session: "Session") -> str:
-        return map_unit(MAPS[self.quantity], session.scene.unit).removeprefix("1 ")
+        unit = map_unit(MAPS[self.quantity], session.scene.unit).removeprefix("1 ")
+        return unit or tr("exceeded")
 
 
 class _Found(NamedTuple):
@@ -103,6 +105,8 @@ class _Found(NamedTuple):
 
 class ManufacturePane(ComputingView):
     """Map, figures and limits of the shown lens, and buttons for commands that make the part."""
+
+    limits_changed = Signal(object)  # Limits
 
     def __init__(self, settings: QSettings, commands: Sequence[QAction]) -> None:
         super().__init__()
@@ -115,6 +119,7 @@ class ManufacturePane(ComputingView):
         self.background.done.connect(self._store_found)
         self.background.failed.connect(figures.show_remark)
         self._fields.changed.connect(self.map.show_limits)
+        self._fields.changed.connect(self.limits_changed)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
     def show_design(self, session: "Session") -> None:

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
-from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, QSizeF, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
@@ -59,12 +59,25 @@ class Overlays:
                 self._paint_line(painter, line, places)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
         _make_small(painter)
+        self._paint_legend(painter)
         for text in self._axes.texts:
             at = to_pixels.map(QPointF(*text.get_position()))
             box = self._box(painter, text.get_text())
             box.moveLeft(at.x() - (0 if text.get_horizontalalignment() == "left" else box.width()))
             box.moveTop(at.y() - (0 if text.get_verticalalignment() == "top" else box.height()))
             self._write(painter, box, text.get_text())
+
+    def _paint_legend(self, painter: QPainter) -> None:
+        legend, at = self._axes.get_legend(), painter.clipBoundingRect().topLeft()
+        if legend is None:
+            return
+        for swatch, text in zip(legend.get_patches(), legend.get_texts(), strict=True):
+            box = self._box(painter, text.get_text())
+            colour = QRectF(at, QSizeF(box.height(), box.height()))
+            painter.fillRect(colour, QColor(to_hex(swatch.get_facecolor())))
+            box.moveTopLeft(colour.topRight())
+            self._write(painter, box, text.get_text())
+            at = colour.bottomLeft()
 
     def paint_scales(self, painter: QPainter, space: QRectF) -> None:
         """Paint axes along the lower and left edge of a space, and a colour bar at the right."""

@@ -13,6 +13,7 @@ from ui.document.frame import some_rays
 from ui.views.shared_view import ViewOptions
 from ui.views.tools import Tool
 from ui.words import later, tr
+from workbench.analysis.manufacture import exceeding_points
 from workbench.arrays import Array, Mask
 from workbench.geometry.faces import NO_LOCKS, ControlPoint
 
@@ -162,7 +163,12 @@ class FaceNets(QObject):
 
 _SPOT = 5.0  # pixels
 # What stands above the colours of faces.
-_SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean curvature")}
+_SCALES = {
+    "material": "",
+    "height": later("Height"),
+    "curvature": later("Mean curvature"),
+    "limits": later("within limits | exceeded"),  # columns of VTK, one over each colour
+}
 _RULES = {True: "#ffffff", False: "#101820"}  # by dark
 _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
@@ -216,7 +222,13 @@ class SceneContents:
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
         picture.set_colours(options.colours)
-        picture.set_faces(options.faces, options.exaggerated, tr(_SCALES[options.faces]))
+        beyond: dict[str, Mask] = {}
+        if options.faces == "limits":
+            for optic in frame.session.scene.optics:
+                beyond |= exceeding_points(
+                    optic, frame.surfaces, frame.state.heights, options.limits
+                )
+        picture.set_faces(options.faces, options.exaggerated, tr(_SCALES[options.faces]), beyond)
         paths, lit = some_rays(frame.paths, options.rays), frame.state.irradiance
         further = [light.irradiance for light in frame.state.further]
         picture.update(frame.surfaces, paths, lit, frame.source, further)

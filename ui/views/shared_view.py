@@ -1,12 +1,13 @@
 """How a design is viewed: options that all views share, and what is picked in them."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from workbench.analysis.manufacture import Limits
 from workbench.geometry.faces import ControlPoint
 
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ class ViewOptions:
     by_weight: bool = False
     faces: "FaceColours" = "material"
     exaggerated: bool = False
+    limits: Limits = field(default_factory=Limits)
 
     colours: str = ""  # one of `workbench.pictures.axes.UNSIGNED`; by default that for the scene
     number: int = 0  # of the scene's image
@@ -48,7 +50,7 @@ class ViewOptions:
     def of_scene(self) -> tuple[object, ...]:
         """Those that the 3D view follows."""
         drawn = self.rays, self.exploded, self.perspective, self.by_weight, self.faces
-        return (*drawn, self.exaggerated, self.colours, self.point)
+        return (*drawn, self.exaggerated, self.limits, self.colours, self.point)
 
 
 class SharedView(QObject):

@@ -47,7 +47,8 @@ class LoadedParts(QObject):
         document, there, messages = early.document, early.panes, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
-        making = [early.commands[name] for name in ("plan", "export", "cut", "report")]
+        names = ("faces_by_limits", "plan", "export", "cut", "report")
+        making = [early.commands[name] for name in names]
         self.manufacture, self.tolerances = ManufacturePane(settings, making), TolerancePane()
         panes: dict[str, View] = {"manufacture": self.manufacture, "tolerances": self.tolerances}
         self.views = views = Views(self, panes)
@@ -99,6 +100,7 @@ class LoadedParts(QObject):
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.message.connect(messages.note)
+        self.manufacture.limits_changed.connect(views.shared.slot("limits"))
         self.tolerances.failed.connect(messages.warn)
         self.tolerances.save_asked.connect(partial(self.plots.choose_and_save_plot, "tolerances"))
 

@@ -15,7 +15,7 @@ import numpy as np
 from workbench.analysis.manufacture_bounds import FaceBounds, difference_range, shape_bounds
 from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array, Mask
-from workbench.geometry.ball_cutter import GridFace, blocked_radius
+from workbench.geometry.ball_cutter import GridFace, blocked_places, blocked_radius
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.curvature import equal_parts, local_shape
 from workbench.geometry.outlines import outline_of
@@ -55,6 +55,7 @@ class SurfaceMaps(NamedTuple):
     # Largest concave and convex curvature, seen from outside, 1 / scene unit; negative if none.
     concave: Array
     convex: Array
+    face: GridFace  # seen from outside
 
 
 @dataclass(frozen=True)
@@ -115,6 +116,7 @@ def surface_maps(
     other = _other_side(optic, heights, nets, face, u, v)
     x, y = (2 * u - 1) * optic.half_width[0], (2 * v - 1) * optic.half_width[1]
     beside = np.where(outline_of(optic).contains(x, y[:, None]), 0.0, np.nan)
+    seen = (each + beside.T for each in (shape.height, shape.slope_x, shape.slope_y))
     return SurfaceMaps(
         x=x,
         y=y,
@@ -122,6 +124,7 @@ def surface_maps(
         slope=np.degrees(np.arctan(shape.slope.T)) + beside,
         concave=shape.largest.T + beside,
         convex=-shape.smallest.T + beside,
+        face=GridFace(x, y, *seen),
     )
 
 
@@ -193,18 +196,15 @@ def _figures(
     ends = equal_parts(net, 0, parts_x), equal_parts(net, 1, parts_y)
     bounds = shape_bounds(net, outward, (parts_x, parts_y), _with_glass(optic, ends))
     yield _WITH_BOUNDS
-    places = net.grid(np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1]))
-    glass = np.isfinite(maps.slope.T)
-    height, *slopes = (np.where(glass, each, np.nan) for each in places.evaluate(outward))
     rises, falls = _edges(net, outward)
     flat = _FLAT / max(optic.half_width)
     concave = _radius(_most(maps, maps.concave, bounds.hollow), flat, rises)
     return maps, FaceFigures(
-        sag_range=float(np.ptp(height[glass])),
+        sag_range=float(np.nanmax(maps.face.height) - np.nanmin(maps.face.height)),
         steepest=_most(maps, maps.slope, math.degrees(math.atan(bounds.slope))),
         tightest_concave=concave,
         tightest_convex=_radius(_most(maps, maps.convex, bounds.hump), flat, falls),
-        tool_radius=_tool_radius(GridFace(maps.x, maps.y, height, *slopes), concave, bounds),
+        tool_radius=_tool_radius(maps.face, concave, bounds),
     )
 
 
@@ -273,6 +273,44 @@ def _edges(net: ControlNet, heights: Array) -> tuple[bool, bool]:
             jumps.append(np.diff(values, n=2, axis=0) @ basis.T)
     rounding = _FLAT * float(np.ptp(heights))
     return any((j > rounding).any() for j in jumps), any((j < -rounding).any() for j in jumps)
+
+
+def exceeded(maps: SurfaceMaps, limits: Limits) -> dict[str, Mask]:
+    """Masks (n_y, n_x) of the places where a face exceeds each given limit, by figures."""
+    least, most = limits.min_thickness, limits.max_thickness
+    found: dict[str, Mask] = {}
+    if least is not None or most is not None:
+        below, above = least or -math.inf, math.inf if most is None else most
+        found["thickness"] = (maps.thickness < below) | (maps.thickness > above)
+    if limits.max_slope is not None:
+        found["slope"] = maps.slope > limits.max_slope
+    if limits.min_radius is not None:
+        found["concave curvature"] = maps.concave > 1 / limits.min_radius
+        found["convex curvature"] = maps.convex > 1 / limits.min_radius
+    if limits.min_tool_radius is not None:
+        blocked = blocked_places(maps.face, limits.min_tool_radius).T
+        found["ball cutter"] = blocked | (maps.concave > 1 / limits.min_tool_radius)
+    return found
+
+
+def exceeding_points(
+    optic: Element, surfaces: Mapping[str, Array], heights: Mapping[str, Array], limits: Limits
+) -> dict[str, Mask]:
+    """Masks (m_x, m_y) of the points of each freeform face where the lens exceeds a limit.
+
+    ``surfaces`` are points (m_x, m_y, 3) by face, see `sample_faces`.
+    """
+    found = {}
+    for face in freeform_nets(optic):
+        points = surfaces[face]
+        maps = surface_maps(optic, heights, points.shape[:2], face)
+        masks = [np.zeros_like(maps.slope, dtype=bool), *exceeded(maps, limits).values()]
+        row, column = (
+            np.rint((points[..., k] - at[0]) / (at[-1] - at[0]) * (at.size - 1)).astype(int)
+            for k, at in ((1, maps.y), (0, maps.x))
+        )
+        found[face] = np.any(masks, axis=0)[row, column]
+    return found
 
 
 class Verdict(NamedTuple):

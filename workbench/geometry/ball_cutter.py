@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.errors import Refused
 from workbench.geometry.ball_kernels import Pieces, touching
 from workbench.geometry.ball_sweep import BallSweep
@@ -72,24 +72,52 @@ def blocked_radius(face: GridFace, radius: float) -> tuple[float, tuple[float, f
     ``radius`` is the largest ball by curvature alone, scene units; None if that ball fits.
     """
     found = None
-    steepest = math.atan(float(np.nanmax(np.hypot(face.slope_x, face.slope_y))))
-    # Largest angle between the line to another point and the tangent plane.
-    above = math.sin(min(2 * steepest, math.pi / 2))
+    above = _above(face)
     finest = True
     while min(face.height.shape) > 1:
         for i, j in _offsets(face.height.shape, finest):
             check_given_up()
-            apart = math.hypot(i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0]))
-            if apart >= 2 * radius * above:
-                continue  # too far away to block a ball of this size
-            closest = _tightest(face, i, j)
-            if closest is not None and closest[0] < radius:
-                found = closest
-                radius = found[0]
+            if not _may_block(face, i, j, radius * above):
+                continue
+            for (rows, columns), curved in _pairs(face, i, j):
+                if (curved > 1 / radius).any():
+                    row, column = divmod(int(np.nanargmax(curved)), curved.shape[1])
+                    radius = 1 / float(curved[row, column])
+                    found = radius, (float(face.x[rows][row]), float(face.y[columns][column]))
         if max(face.height.shape) <= _WINDOW:
             break
         face, finest = face.coarser(), False
     return found
+
+
+def blocked_places(face: GridFace, radius: float) -> Mask:
+    """Mask (m_x, m_y) of the places where another part of a face blocks a ball of this radius."""
+    return _blocked_places(face, radius, _above(face), finest=True)
+
+
+def _blocked_places(face: GridFace, radius: float, above: float, *, finest: bool) -> Mask:
+    blocked = np.zeros(face.height.shape, dtype=bool)
+    for i, j in _offsets(blocked.shape, finest):
+        if _may_block(face, i, j, radius * above):
+            for (rows, columns), curved in _pairs(face, i, j):
+                here = blocked[rows, columns]
+                here |= curved > 1 / radius
+    if max(blocked.shape) > _WINDOW and min(blocked.shape) > 2:
+        further = _blocked_places(face.coarser(), radius, above, finest=False)
+        blocked |= further.repeat(2, 0).repeat(2, 1)[: blocked.shape[0], : blocked.shape[1]]
+    return blocked
+
+
+def _above(face: GridFace) -> float:
+    """Sine of the largest angle between the line to another point and the tangent plane."""
+    steepest = math.atan(float(np.nanmax(np.hypot(face.slope_x, face.slope_y))))
+    return math.sin(min(2 * steepest, math.pi / 2))
+
+
+def _may_block(face: GridFace, i: int, j: int, raised: float) -> bool:
+    """Whether points so many steps apart are near enough to block a ball."""
+    apart = math.hypot(i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0]))
+    return apart < 2 * raised
 
 
 def _offsets(shape: tuple[int, ...], finest: bool) -> Iterator[tuple[int, int]]:
@@ -101,7 +129,8 @@ def _offsets(shape: tuple[int, ...], finest: bool) -> Iterator[tuple[int, int]]:
                 yield i, j
 
 
-def _tightest(face: GridFace, i: int, j: int) -> tuple[float, tuple[float, float]] | None:
+def _pairs(face: GridFace, i: int, j: int) -> Iterator[tuple[tuple[slice, slice], Array]]:
+    """Both ends of all pairs so many steps apart, and 1 / R of the largest ball that fits there."""
     rows = slice(None, -i or None), slice(i, None)
     columns = slice(max(-j, 0), -j if j > 0 else None), slice(max(j, 0), j if j < 0 else None)
     ends = [tuple(each[r, c] for each in face[2:]) for r, c in zip(rows, columns, strict=True)]
@@ -109,22 +138,13 @@ def _tightest(face: GridFace, i: int, j: int) -> tuple[float, tuple[float, float
     dx, dy = i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0])
     dz = z_far - z
     square = dx * dx + dy * dy + dz * dz
-    least = None
     for number, above in enumerate(
         (
             (dz - p * dx - q * dy) / np.sqrt(1 + p * p + q * q),
             (p_far * dx + q_far * dy - dz) / np.sqrt(1 + p_far * p_far + q_far * q_far),
         )
     ):
-        curved = 2 * above / square
-        if not (curved > 0).any():
-            continue
-        row, column = np.unravel_index(np.nanargmax(curved), curved.shape)
-        ratio = 1 / float(curved[row, column])
-        if least is None or ratio < least[0]:
-            x, y = face.x[rows[number]][row], face.y[columns[number]][column]
-            least = ratio, (float(x), float(y))
-    return least
+        yield (rows[number], columns[number]), 2 * above / square
 
 
 @dataclass(frozen=True)

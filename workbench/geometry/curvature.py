@@ -15,16 +15,22 @@ class LocalShape(NamedTuple):
     """Shape of a face at a grid of points; all arrays are (m_u, m_v).
 
     A curvature is positive where the face is concave towards +z. Lengths are in scene units.
-    ``slope`` is the magnitude of the gradient of z, ``mean`` and ``gaussian`` the mean and the
+    ``slope_x`` and ``slope_y`` are derivatives of z, ``mean`` and ``gaussian`` the mean and the
     Gaussian curvature, ``smallest`` and ``largest`` the principal curvatures.
     """
 
     height: Array
-    slope: Array
+    slope_x: Array
+    slope_y: Array
     mean: Array
     gaussian: Array
     smallest: Array
     largest: Array
+
+    @property
+    def slope(self) -> Array:
+        """Magnitude of the gradient of z."""
+        return np.hypot(self.slope_x, self.slope_y)
 
 
 def local_shape(net: ControlNet, heights: Array, u: Array, v: Array) -> LocalShape:
@@ -41,7 +47,7 @@ def local_shape(net: ControlNet, heights: Array, u: Array, v: Array) -> LocalSha
     r = _along_first(net, 1, by_u[2].T, v, 0).T
     mean, gaussian = mean_and_gaussian(p, q, r, s, t)
     apart = np.sqrt((mean**2 - gaussian).clip(0))  # negative by rounding alone
-    return LocalShape(z, np.hypot(p, q), mean, gaussian, mean - apart, mean + apart)
+    return LocalShape(z, p, q, mean, gaussian, mean - apart, mean + apart)
 
 
 def mean_and_gaussian(

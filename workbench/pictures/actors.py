@@ -136,9 +136,10 @@ class ColourScale:
         if name != self._shown:
             self._table.SetNumberOfTableValues(_COLOURS)
             for number in range(_COLOURS):
-                self._table.SetTableValue(number, *colormaps[name](number))
+                self._table.SetTableValue(number, *colormaps[name](number / (_COLOURS - 1)))
             self._shown = name
-        named = f"{title} ({unit})" if title else unit
+        self._bar.SetNumberOfLabels(_LABELS if unit else 0)
+        named = f"{title} ({unit})" if title and unit else title or unit
         self._bar.SetTitle(f"{with_power(named, power)}\n")
 
     def recolour(self, ink: str) -> None:

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 Direction = Literal["x", "y"]
 _MOST_DECIMALS = 12
 _SLACK = 1e-4  # rounding of tick labels, in parts of the axis
+WITHIN, BEYOND = "#8fd9a8", "#b3261e"
+"""Colours of areas within limits and beyond them, of very different brightness."""
 SIGNED = "RdBu_r"
 """Colour map of signed values."""
 AS_SEEN = "as seen"
@@ -366,8 +368,9 @@ def _image(axes: "Axes", image: Any) -> list[Column]:
     (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), axes.get_ylim()
     across, down = (x >= low_x) & (x <= high_x), (y >= low_y) & (y <= high_y)
     x, y, values = x[across], y[down], values[np.ix_(down, across)]
-    unit = without_power(axes.child_axes[0].get_ylabel())
+    unit = "".join(without_power(bar.get_ylabel()) for bar in axes.child_axes)
     named = unit if unit.startswith(image.get_label()) else f"{image.get_label()} ({unit})"
+    named = named.removesuffix(" ()")
     return [
         Column(_plain(name), np.array(column, dtype=np.float64).ravel())
         for name, column in zip(

@@ -1,12 +1,13 @@
 """Elements of a train in the 3D view: those that the design shapes, and the others."""
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import pyvista as pv
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.geometry.face_grids import element_sides, face_points
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
@@ -97,7 +98,12 @@ class DesignedElement:
         return self._front_z is not None and float(np.ptp(self._front_z)) > 0
 
     def place(
-        self, surfaces: Mapping[str, Array], by: FaceColours, top: float, exaggerated: bool
+        self,
+        surfaces: Mapping[str, Array],
+        by: FaceColours,
+        top: float,
+        exaggerated: bool,
+        beyond: Mapping[str, Mask] = MappingProxyType({}),
     ) -> None:
         """Move its faces to points on grids, see `sample_faces`; colours as by `face_colours`."""
         optic, surface = self.optic, surfaces[self.optic.designed_face]
@@ -115,7 +121,9 @@ class DesignedElement:
                 mesh.faces = meshes.quads(m_u, m_v)
                 net.lines = meshes.net_lines(m_u, m_v, _NET_FIELDS)
                 mesh.verts = net.verts = _NONE
-            mesh.point_data["colour"] = face_colours(surfaces[face], by, self._material, top)
+            mesh.point_data["colour"] = face_colours(
+                surfaces[face], by, self._material, top, beyond.get(face)
+            )
             mesh.point_data.active_normals = lit_normals(surfaces[face], exaggerated)
         for actor in self._shaped:
             look = (self._opacity, 1.0) if by == "material" else _COLOURED

@@ -14,6 +14,7 @@ right, row 0 at the top.
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +22,7 @@ import numpy.typing as npt
 import pyvista as pv
 from matplotlib import colormaps
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.pictures import meshes
 from workbench.pictures.actors import ColourScale, LitReceiver, add_to
 from workbench.pictures.camera import FittedCamera, drawn_start_z, source_in_view
@@ -75,6 +76,7 @@ class LensPicture:
         self._colours = ""
         self._face_colours: FaceColours = "material"
         self._exaggerated, self._title = False, ""
+        self._beyond: Mapping[str, Mask] = {}
         self._dark = dark
         self._by_weight = by_weight
         self._lines: list[Any] = []
@@ -153,9 +155,16 @@ class LensPicture:
         """Set the colour map of receivers, used from the next update on."""
         self._colours = name
 
-    def set_faces(self, by: FaceColours, exaggerated: bool, title: str = "") -> None:
-        """Set colours and shading of faces, used from the next update on; see `face_look`."""
+    def set_faces(
+        self,
+        by: FaceColours,
+        exaggerated: bool,
+        title: str = "",
+        beyond: Mapping[str, Mask] = MappingProxyType({}),
+    ) -> None:
+        """Set colours and shading of faces, used from the next update on; see `face_colours`."""
         self._face_colours, self._exaggerated, self._title = by, exaggerated, title
+        self._beyond = beyond
 
     def recolour(self, dark: bool) -> None:
         """Change between dark and light background."""
@@ -177,7 +186,7 @@ class LensPicture:
         top = scale_top(surfaces.values(), by)
         self._scale.show(colour_scale_of(by, top, self._scene.unit), self._title)
         for element in self._designed:
-            element.place(surfaces, by, top, self._exaggerated)
+            element.place(surfaces, by, top, self._exaggerated, self._beyond)
             self._camera.tops[element.optic.name] = element.top
 
     def _add_receivers(self, target: npt.NDArray[Any]) -> None:

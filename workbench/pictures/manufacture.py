@@ -1,15 +1,20 @@
-"""Maps of thickness, slope and curvature, with areas beyond the limits hatched."""
+"""Maps of thickness, slope and curvature, and of the areas within and beyond all limits."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 
 import numpy as np
-from matplotlib.colors import PowerNorm
+from matplotlib.colors import ListedColormap, PowerNorm
+from matplotlib.patches import Patch
 
-from workbench.arrays import Array
+from workbench.analysis.manufacture import exceeded
+from workbench.arrays import Array, Mask
 from workbench.messages import capitalised
 from workbench.pictures.axes import (
+    BEYOND,
+    FONT,
     UNSIGNED,
+    WITHIN,
     Extent,
     colour_bar,
     constant_value,
@@ -27,31 +32,36 @@ if TYPE_CHECKING:
 _FONT = 9
 _DPI = 150
 _APART = {"wspace": 0.12, "hspace": 0.06}
-_BEYOND = "#ff4d3d"  # viridis has no red
+_HATCH = "#ff4d3d"  # viridis has no red
 
 
-MAPS = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
+_LIMITS = "Limits"
+_QUANTITIES = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
+MAPS = (_LIMITS, *_QUANTITIES)
 """What can be shown of a face."""
+LEGEND = ("Within limits", "No limit is set", "Ball cutter")
+"""What the legend of the first map names beside quantities."""
 
 
 class _Map(NamedTuple):
     values: Array
     unit: str
-    low: float | None
-    high: float | None
     in_words: str
 
 
 def map_unit(name: str, unit: str) -> str:
-    """Unit of a map's values for a unit of length."""
-    return {"Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
+    """Unit of a map's values for a unit of length; none of `MAPS`' first, which counts limits."""
+    return {_LIMITS: "", "Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
 
 
 def draw_map(axes: "Axes", name: str, maps: "SurfaceMaps", limits: "Limits", unit: str) -> Array:
     """Draw one of `MAPS` of a face and return its values (n_y, n_x)."""
-    values, of, below, above, _ = _map(name, maps, limits, unit)
+    broken = exceeded(maps, limits)
     half_width = float(maps.x.max()), float(maps.y.max())
     extent = Extent.around(half_width, unit)
+    if name == _LIMITS:
+        return _draw_limits(axes, extent, maps, broken)
+    values, of, _ = _map(name, maps, limits, unit)
     image = map_image(axes, name, extent, values.shape[::-1], UNSIGNED[1])
     image.set_data(values)
     # Sharp bends are few and far above the others.
@@ -64,18 +74,34 @@ def draw_map(axes: "Axes", name: str, maps: "SurfaceMaps", limits: "Limits", uni
     else:
         image.set_clim(float(np.nanmin(values)), float(np.nanmax(values)))
         colour_bar(axes, image, of, "neither")
-    if below is not None and (values < below).any():
-        _hatch(axes, maps, values, [float(np.nanmin(values)) - 1, below])
-    if above is not None and (values > above).any():
-        _hatch(axes, maps, values, [above, float(np.nanmax(values)) + 1])
+    _hatch(axes, maps, broken.get(name.lower()), _HATCH)
     return values
+
+
+def _draw_limits(
+    axes: "Axes", extent: Extent, maps: "SurfaceMaps", broken: Mapping[str, Mask]
+) -> Array:
+    beside = np.where(np.isnan(maps.slope), np.nan, 0.0)
+    count = np.add.reduce([mask.astype(float) for mask in broken.values()]) + beside
+    image = map_image(axes, _LIMITS, extent, count.shape[::-1], ListedColormap([WITHIN, BEYOND]))
+    image.set_data(count.clip(0, 1))
+    image.set_clim(0, 1)
+    _hatch(axes, maps, count > 0, WITHIN)
+    whole = np.isfinite(count)
+    inside = "Within limits" if broken else "No limit is set"
+    areas = {inside: count == 0, **{capitalised(key): mask & whole for key, mask in broken.items()}}
+    shown = [Patch(facecolor=WITHIN if name == inside else BEYOND) for name in areas]
+    parts = [f"{name} ({100 * mask.sum() / whole.sum():.0f} %)" for name, mask in areas.items()]
+    axes.legend(shown, parts, fontsize=FONT)
+    return np.asarray(count)
 
 
 def draw_manufacture(
     figure: "FigureBase", maps: "SurfaceMaps", limits: "Limits", unit: str
 ) -> None:
     """Draw thickness, slope and both curvatures of a face on an empty figure."""
-    for axes, name in zip(figure.subplots(2, 2, gridspec_kw=_APART).ravel(), MAPS, strict=True):
+    slots = figure.subplots(2, 2, gridspec_kw=_APART).ravel()
+    for axes, name in zip(slots, _QUANTITIES, strict=True):
         draw_map(axes, name, maps, limits, unit)
         axes.set_title(f"{name}{_map(name, maps, limits, unit).in_words}", fontsize=_FONT)
 
@@ -102,22 +128,21 @@ def _map(name: str, maps: "SurfaceMaps", limits: "Limits", unit: str) -> _Map:
     if name == "Thickness":
         low, high = limits.min_thickness, limits.max_thickness
         in_words = _in_words("at least", low, f" {unit}") + _in_words("at most", high, f" {unit}")
-        return _Map(maps.thickness, of, low, high, in_words)
+        return _Map(maps.thickness, of, in_words)
     if name == "Slope":
         steep = limits.max_slope
-        return _Map(maps.slope, of, None, steep, _in_words("at most", steep, "°"))
-    radius = limits.min_radius
-    curvature = None if radius is None else 1 / radius
-    values = maps.concave if name == "Concave curvature" else maps.convex
-    return _Map(
-        values.clip(0), of, None, curvature, _in_words("radius at least", radius, f" {unit}")
-    )
+        return _Map(maps.slope, of, _in_words("at most", steep, "°"))
+    values, radius = maps.concave if name == "Concave curvature" else maps.convex, limits.min_radius
+    return _Map(values.clip(0), of, _in_words("radius at least", radius, f" {unit}"))
 
 
-def _hatch(axes: "Axes", maps: "SurfaceMaps", values: Array, between: list[float]) -> None:
-    hatched = axes.contourf(maps.x, maps.y, values, levels=between, colors="none", hatches=["////"])
-    hatched.set_edgecolor(_BEYOND)
-    hatched.set_linewidth(1.0)
+def _hatch(axes: "Axes", maps: "SurfaceMaps", places: Mask | None, colour: str) -> None:
+    if places is not None and places.any():
+        hatched = axes.contourf(
+            maps.x, maps.y, 1.0 * places, levels=[0.5, 1.5], colors="none", hatches=["////"]
+        )
+        hatched.set_edgecolor(colour)
+        hatched.set_linewidth(1.0)
 
 
 def _in_words(word: str, limit: float | None, unit: str) -> str:

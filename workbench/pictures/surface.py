@@ -7,15 +7,18 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
+from matplotlib.colors import ListedColormap
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.geometry.curvature import LocalShape, local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures import meshes
 from workbench.pictures.axes import (
+    BEYOND,
     SIGNED,
     UNSIGNED,
+    WITHIN,
     Extent,
     UpdatedPicture,
     colour_bar,
@@ -29,8 +32,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-FaceColours = Literal["material", "height", "curvature"]
-_HEIGHTS = "viridis"
+FaceColours = Literal["material", "height", "curvature", "limits"]
+_HEIGHTS, _JUDGED = "viridis", "within and beyond limits"
+colormaps.register(ListedColormap([WITHIN, BEYOND], name=_JUDGED), force=True)
 # Degree along u and v of the polynomial that counts as smooth.
 _SMOOTH = 8
 # Visible slope of the relief, and the part of the face below it.
@@ -58,21 +62,26 @@ def colour_scale_of(by: FaceColours, top: float, unit: str) -> tuple[str, float,
     """Return colour map, lowest and highest value, and unit; None for material."""
     if by == "height":
         return _HEIGHTS, 0.0, top, unit
+    if by == "limits":
+        return _JUDGED, 0.0, 1.0, ""
     return (SIGNED, -top, top, f"1 / {unit}") if by == "curvature" else None
 
 
 def face_colours(
-    surface: Array, by: FaceColours, material: str, top: float
+    surface: Array, by: FaceColours, material: str, top: float, beyond: Mask | None = None
 ) -> npt.NDArray[np.uint8]:
     """Return RGB colours (m_u * m_v, 3) of a face (m_u, m_v, 3).
 
     "height" colours by z above the lowest point, "curvature" by the mean curvature: red where the
     face is concave towards +z. Values above ``top`` (see `scale_top`) have the last colour.
+    "limits" shows where the mask ``beyond`` (m_u, m_v) is true.
     """
     if by == "material":
         red, green, blue = (int(material[k : k + 2], 16) for k in (1, 3, 5))
         return np.full((surface[..., 0].size, 3), (red, green, blue), dtype=np.uint8)
-    if by == "height":
+    if by == "limits":
+        part, name = np.zeros(surface.shape[:2]) if beyond is None else 1.0 * beyond, _JUDGED
+    elif by == "height":
         height = surface[..., 2] - surface[..., 2].min()
         part, name = height / top, _HEIGHTS
     else:

@@ -107,3 +107,13 @@ def test_the_entrance_face_is_switched_and_the_other_face_is_only_where_there_is
 def test_reasons_say_what_the_optic_is_called():
     reasons = situation(optic=MIRROR, has_lens=False).reasons()
     assert reasons["continue"] == "There is no mirror yet; Start designs one"
+
+
+def test_a_second_click_on_colours_of_faces_leads_back_to_the_material(window):
+    commands = window.commands
+    by_limits, material = commands["faces_by_limits"], commands["faces_material"]
+    by_limits.setEnabled(True)
+    by_limits.trigger()
+    assert by_limits.isChecked() and not material.isChecked()
+    by_limits.trigger()
+    assert material.isChecked() and not by_limits.isChecked()
