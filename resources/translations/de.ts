@@ -345,6 +345,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Save &amp;video of the run…</source>
+            <translation>V&amp;ideo des Laufs speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the image after each iteration of this run as an animated picture (GIF, WebP)</source>
+            <translation>Das Bild nach jeder Iteration dieses Laufs als bewegtes Bild speichern (GIF, WebP)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Restore run</source>
             <translation>La&amp;uf wiederherstellen</translation>
         </message>
@@ -1845,6 +1855,21 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
+            <source>Animated picture (*.gif)</source>
+            <translation>Bewegtes Bild (*.gif)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Animated picture in all colours (*.webp)</source>
+            <translation>Bewegtes Bild in allen Farben (*.webp)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Animated PNG (*.apng)</source>
+            <translation>Bewegtes PNG (*.apng)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} ist geschrieben.</translation>
         </message>
@@ -1882,6 +1907,26 @@
             <location filename="../../ui/files/plots.py" />
             <source>A plot is still being written. Save the next one after it.</source>
             <translation>Ein Diagramm wird noch geschrieben. Danach das nächste speichern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>video</source>
+            <translation>Video</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A video needs a run of some iterations. Press Start.</source>
+            <translation>Ein Video braucht einen Lauf mit einigen Iterationen. Start drücken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save video</source>
+            <translation>Video speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>iteration {number}, error {error} %</source>
+            <translation>Iteration {number}, Fehler {error} %</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />

@@ -345,6 +345,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Save &amp;video of the run…</source>
+            <translation>Enregistrer la &amp;vidéo de l'exécution…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the image after each iteration of this run as an animated picture (GIF, WebP)</source>
+            <translation>Enregistrer l'image après chaque itération de cette exécution comme image animée (GIF, WebP)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Restore run</source>
             <translation>&amp;Restaurer l'exécution</translation>
         </message>
@@ -1845,6 +1855,21 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
+            <source>Animated picture (*.gif)</source>
+            <translation>Image animée (*.gif)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Animated picture in all colours (*.webp)</source>
+            <translation>Image animée en toutes couleurs (*.webp)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Animated PNG (*.apng)</source>
+            <translation>PNG animé (*.apng)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
             <source>{path} is written.</source>
             <translation>{path} est écrit.</translation>
         </message>
@@ -1882,6 +1907,26 @@
             <location filename="../../ui/files/plots.py" />
             <source>A plot is still being written. Save the next one after it.</source>
             <translation>Un graphique est en cours d'écriture. Enregistrez le suivant ensuite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>video</source>
+            <translation>vidéo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A video needs a run of some iterations. Press Start.</source>
+            <translation>Une vidéo demande une exécution de quelques itérations. Appuyer sur Démarrer.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save video</source>
+            <translation>Enregistrer la vidéo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>iteration {number}, error {error} %</source>
+            <translation>itération {number}, erreur {error} %</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from workbench.errors import RunFailed
 from workbench.files.session import read_session, write_session
@@ -18,6 +19,15 @@ def fail(error):
 
 
 class TestDone:
+    def test_a_video_has_an_image_of_each_iteration(self, freeform, scene_file, out, tmp_path):
+        path = tmp_path / "run.webp"
+        status, _, _ = freeform("design", scene_file, "-o", out, "--video", path)
+        assert status == 0
+        with Image.open(path) as found:
+            assert found.n_frames == 11
+        status, _, reason = freeform("design", scene_file, "-o", out, "--video", "run.mp4")
+        assert status == 2 and "run.mp4: has no known ending; use one of .gif" in reason
+
     def test_the_lens_is_written_and_its_figures_are_printed(self, freeform, scene_file, out):
         status, stdout, progress = freeform("design", scene_file, "-o", out, "--json")
         assert status == 0

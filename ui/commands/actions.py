@@ -82,7 +82,17 @@ MENUS: dict[str, list[Any]] = {
         None,
         "check",
     ],
-    "&Run": [*_RUN, None, "follow", "sweep", None, "restore_run", "compare_runs", "delete_run"],
+    "&Run": [
+        *_RUN,
+        None,
+        "follow",
+        "sweep",
+        None,
+        "save_video",
+        "restore_run",
+        "compare_runs",
+        "delete_run",
+    ],
     "&View": [
         "fit_view",
         *(f"{view}_view" for view in VIEWS),

@@ -124,6 +124,10 @@ COMMANDS = {
         checked=True,
     ),
     "sweep": Command("S&weep…", "Design a {optic} for each of several values of a field"),
+    "save_video": Command(
+        "Save &video of the run…",
+        "Save the image after each iteration of this run as an animated picture (GIF, WebP)",
+    ),
     "restore_run": Command(
         "&Restore run", "Restore task and {optic} of the run selected in the dock Runs"
     ),

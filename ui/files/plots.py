@@ -14,6 +14,7 @@ from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWrite
 from ui.background import Background, Task
 from ui.commands.panes import PANES
 from ui.document.document import Document
+from ui.document.frame import iterations_before
 from ui.files.dialogs import FileDialogs
 from ui.widgets.messages import Messages
 from ui.widgets.native import rgb_image
@@ -24,9 +25,11 @@ from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
 
 if TYPE_CHECKING:
+    from ui.document.shown_lens import FrameHistory
     from ui.views.loss_strip import LossStrip
     from ui.views.plot_view import PlotView
     from ui.views.scene_view import SceneView
+    from ui.views.shared_view import SharedView
     from workbench.pictures.axes import Column
 
 _PNG = ".png"
@@ -38,6 +41,13 @@ _FILTERS = later(
         "Picture in lines (*.svg)": ".svg",
         "Numbers shown (*.csv)": _TABLE,
         "Figures (*.json)": _DATA,
+    }
+)
+_VIDEOS = later(
+    {
+        "Animated picture (*.gif)": ".gif",
+        "Animated picture in all colours (*.webp)": ".webp",
+        "Animated PNG (*.apng)": ".apng",
     }
 )
 _WIDE = 1800  # pixels of a picture of the 3D scene, about
@@ -164,6 +174,61 @@ class Plots(_PictureFiles):
 
 def _in_words(name: str) -> str:
     return in_sentence(tr(PANES[name].title))
+
+
+class Videos(_PictureFiles):
+    """Saves the images of a run, one after the other, as a video."""
+
+    def __init__(
+        self,
+        history: "FrameHistory",
+        shared: "SharedView",
+        document: Document,
+        messages: Messages,
+        dialogs: FileDialogs,
+        parent: QObject,
+    ) -> None:
+        super().__init__(document, messages, dialogs, parent)
+        self._history, self._shared = history, shared
+        self.background = Background(later("video"), self)
+        self.background.failed.connect(messages.warn)
+
+    def choose_and_save(self) -> None:
+        """Ask for a file, and write the recorded iterations of the shown image there."""
+        frames = list(self._history.frames)
+        if len(frames) < 2 or self.background.busy:
+            self._messages.note(tr("A video needs a run of some iterations. Press Start."))
+            return
+        filters = {tr(text): ending for text, ending in _VIDEOS.items()}
+        path = self._dialogs.to_save("plot", tr("Save video"), self._document.name, filters)
+        if path is None:
+            return
+        now, caption = self._shared.now, tr("iteration {number}, error {error} %")
+        number = self._shared.number_in(frames[-1].session.scene)
+
+        def work(task: Task) -> None:
+            from workbench.pictures.video import Video, check_video  # late: draws
+
+            def in_words(iteration: int, error: float) -> str:
+                return caption.format(number=iteration, error=f"{100 * error:.2f}")
+
+            check_video(path)
+            shown = [frame.of_image(number) for frame in frames]
+            session = shown[-1].session
+            video = Video(session.scene, session.target, in_words, now.colours)
+            for done, frame in enumerate(shown):
+                if task.stopped:
+                    return
+                video.add(frame.state.irradiance, iterations_before(frame))
+                task.report(done / len(shown))
+            with replacing(path) as file:
+                video.write(file, path.suffix.lower())
+            task.outcome, task.path = tr("{path} is written.").format(path=path), path
+
+        self.background.begin(work, title=tr("Export {name}").format(name=path.name))
+
+    def close(self) -> None:
+        self.background.close()
 
 
 class ScenePictures(_PictureFiles):

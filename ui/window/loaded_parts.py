@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction
 from ui.commands.actions import keep_colours
 from ui.dialogs.preferences import CHECK
 from ui.document.shown_lens import ShownLens
-from ui.files.plots import Plots, ScenePictures
+from ui.files.plots import Plots, ScenePictures, Videos
 from ui.lens.tools import LensTools
 from ui.manufacture.pane import ManufacturePane
 from ui.manufacture.tolerance_pane import TolerancePane
@@ -66,6 +66,8 @@ class LoadedParts(QObject):
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
         self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
+        history, shared = self.control.history, views.shared
+        self.videos = Videos(history, shared, document, messages, early.dialogs, self)
         RunLog(document, self.control, early.log.add)
         self.findings = Findings(self.control, self.runs.error_of)
         self.cards = ResultCards(self.findings, early.commands)
@@ -83,6 +85,7 @@ class LoadedParts(QObject):
             self.check.background,
             self.runs.check.background,
             self.plots.background,
+            self.videos.background,
             self.tolerances.background,
             self.manufacture.background,
             views.photo.background,
@@ -112,7 +115,7 @@ class LoadedParts(QObject):
         self.views.allow(resting, go_on)
 
     def close(self) -> None:
-        engines = (self.follow, self.control, self.check, self.plots, self.runs)
+        engines = (self.follow, self.control, self.check, self.plots, self.videos, self.runs)
         for part in (*engines, self.findings, self.bound, self.views, self.tools):
             part.close()
 
@@ -183,6 +186,7 @@ class LoadedParts(QObject):
                 "pause": control.toggle_pause,
                 "stop": control.runner.stop,
                 "check": self.check.toggle,
+                "save_video": self.videos.choose_and_save,
                 **self.views.slots(),
                 **self.runs.slots(),
                 **self.plots.slots(),

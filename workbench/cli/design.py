@@ -14,9 +14,9 @@ from workbench.cli.interruption import EndedBySignal, Interruption
 from workbench.cli.output import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.session import Session
-from workbench.design.snapshot import Result
+from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import why_light_is_not_kept, why_not_kept, with_task
-from workbench.files.atomic import check_writable
+from workbench.files.atomic import check_writable, replacing
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
 from workbench.process import keep_freed_memory
@@ -35,10 +35,12 @@ def design(
     iterations: int | None,
     deadline: float,
     as_json: bool,
+    video: Path | None = None,
 ) -> None:
     """Run a design until a deadline of `time.perf_counter`, and write it however the run ends.
 
-    ``changes`` are values of fields, by path, in place of those of the scene.
+    ``changes`` are values of fields, by path, in place of those of the scene. ``video``: file of an
+    animated picture of the run.
 
     Raise Refused if the scene cannot be run or the output not be written (the lens is then kept
     elsewhere), RunFailed if the run cannot go on (the best lens is written), EndedBySignal after a
@@ -59,6 +61,7 @@ def design(
     run = DesignRun(session, iterations)
     session = run.session
     check_writable(output)
+    film = _VideoWriter(session, video)
     checkpoints = CheckpointWriter(output, lambda result: replace(session, result=result))
     _print_abandoned(checkpoints, path)
     with Interruption() as interruption:
@@ -72,6 +75,7 @@ def design(
             ):
                 for snapshot in snapshots:
                     progress.show(snapshot)
+                    film.add(snapshot, run.history.losses().size)
                     checkpoints.write_if_due(run.history)
                     if interruption.asked or _is_over(deadline):
                         break
@@ -80,6 +84,7 @@ def design(
             result = run.history.result()
             if result is not None:
                 checkpoints.finish(result)
+                film.finish()
     if result is not None:
         _print(result, session.scene.receiver.place, as_json)
         if _is_over(deadline) and not result.iterations:
@@ -89,6 +94,32 @@ def design(
             _print_bound(session, result)
     if interruption.asked:
         raise EndedBySignal(interruption.asked, f"interrupted; {_what_is_written(result, output)}")
+
+
+class _VideoWriter:
+    """Gathers the images of a run, and writes its video at the end; does nothing without a path."""
+
+    def __init__(self, session: Session, path: Path | None) -> None:
+        self._path, self._video = path, None
+        if path is not None:
+            from workbench.pictures.video import Video, check_video  # slow import
+
+            check_video(path)
+            check_writable(path)
+            self._video = Video(session.scene, session.target, _caption)
+
+    def add(self, snapshot: Snapshot, iteration: int) -> None:
+        if self._video is not None:
+            self._video.add(snapshot.state.irradiance, iteration)
+
+    def finish(self) -> None:
+        if self._video is not None and self._path is not None:
+            with replacing(self._path) as file:
+                self._video.write(file, self._path.suffix.lower())
+
+
+def _caption(iteration: int, error: float) -> str:
+    return f"iteration {iteration}, error {100 * error:.2f} %"
 
 
 def _is_over(deadline: float) -> bool:

@@ -29,6 +29,7 @@ def add_design(commands: Any) -> None:
         [
             "design flame.json -o flame.freeform",
             "design flame.freeform -o finer.freeform --seconds 60",
+            "design flame.json -o flame.freeform --video flame.gif",
             "design face.json -o face.freeform --set images[0].target.black=0.1",
         ],
         _run_design,
@@ -61,6 +62,11 @@ def add_design(commands: Any) -> None:
         help="value of a field in place of the scene's, by its path as in --vary of a sweep: "
         "a number, AxB for several, true, false or text; may be given several times",
     )
+    parser.add_output(
+        "--video",
+        metavar="FILE",
+        help="write the image of each iteration as an animated .gif, .webp or .apng",
+    )
     add_json(parser)
 
 
@@ -78,7 +84,8 @@ def _run_design(options: argparse.Namespace) -> None:
 
     deadline = begun + options.seconds
     changes = dict(map(parse_setting, options.set))
-    design(options.scene, changes, options.output, options.iterations, deadline, options.json)
+    scene, output, video = options.scene, options.output, options.video
+    design(scene, changes, output, options.iterations, deadline, options.json, video)
 
 
 def add_bound(commands: Any) -> None:

@@ -1,6 +1,7 @@
 """Commands for plots and for the colours of light, in the window."""
 
 import pytest
+from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
@@ -50,3 +51,17 @@ def test_a_line_that_is_drawn_brings_its_cross_section(window, qtbot):
     section = window.loaded.views.around["section"]
     qtbot.waitUntil(lambda: not section.empty, timeout=30_000)
     assert section._curves._axes.get_xlabel() == "distance (cm)"
+
+
+def test_the_iterations_of_a_run_are_saved_as_a_video(window, frames, qtbot, tmp_path, monkeypatch):
+    path = tmp_path / "run.gif"
+    monkeypatch.setattr(window.early.dialogs, "to_save", lambda *_: path)
+    window.commands["save_video"].trigger()
+    assert "needs a run" in window.messages.text
+    for iteration in range(4):
+        window.loaded.control.history.add(frames(iteration))
+    window.commands["save_video"].trigger()
+    qtbot.waitUntil(path.exists, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.loaded.videos.background.busy)
+    with Image.open(path) as found:
+        assert found.n_frames == 4
