@@ -253,6 +253,15 @@ class MainWindow(QMainWindow):
         else:  # it has ended since
             self.files.open(path)
 
+    def focusNextPrevChild(self, next: bool) -> bool:
+        """Move the focus by Tab, but not into docks behind others."""
+        began = self.focusWidget()
+        while super().focusNextPrevChild(next):
+            now = self.focusWidget()
+            if now is began or not self.panes.covers(now):
+                return True
+        return False
+
     def _add_menus(self) -> None:
         for dock in self.panes.docks.values():
             self.commands.menus["&View"].addAction(dock.toggleViewAction())

@@ -84,7 +84,7 @@ class JobPage(QWidget):
         self.form.light_asked.connect(self._choose_light)
         self._form.addWidget(self.form)
         QWidget.setTabOrder(self.form, self._back)
-        self.form.rows[0].setFocus() if self.form.rows else self._begin.setFocus()
+        self.form.rows[0].label.buddy().setFocus() if self.form.rows else self._begin.setFocus()
         self._update()
 
     def use_picture(self, path: Path) -> bool:

@@ -96,7 +96,7 @@ class FormArea(QScrollArea):
         self.reveal(row)
         top = row.mapTo(self._content, row.rect().topLeft()).y()
         self.verticalScrollBar().setValue(top - 2 * row.height())  # below its heading
-        row.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        row.label.buddy().setFocus(Qt.FocusReason.ShortcutFocusReason)
         mark(row, True)
         QTimer.singleShot(_MARKED, row, partial(mark, row, False))
 
@@ -140,7 +140,7 @@ class FormArea(QScrollArea):
         row = next((row for row in self._ordered if not row.isHidden()), None)
         if row is not None:
             self.reveal(row)
-            row.setFocus()
+            row.label.buddy().setFocus()
 
     def _align(self) -> None:
         """Let the editors of each level begin at one line."""

@@ -142,8 +142,7 @@ class Row(QWidget):
         self._editors.insertWidget(self._editors.count() - 1, widget, stretch)
         if not widget.accessibleName():
             widget.setAccessibleName(self.label.text())
-        if self.focusProxy() is None:
-            self.setFocusProxy(widget)
+        if self.label.buddy() is None:
             self.label.setBuddy(widget)
 
     def _emit_edit(self, path: str, changes: Changes, drag: str = "") -> None:

@@ -264,7 +264,7 @@ class PartList(Row):
         for line in (adders, self._of_chosen):
             column.addLayout(filled(QHBoxLayout(), *line, STRETCH, spacing=4))
         self._add(content)
-        self.setFocusProxy(self._list)
+        self.label.setBuddy(self._list)
 
     @property
     def current(self) -> int:

@@ -33,6 +33,8 @@ from workbench.pictures.axes import paint
 # Colours and resolution of files, which are read and printed elsewhere.
 _INK, _PAPER, _FILE_DPI = "black", "white", 200
 _FILE_SIZE = 7.0  # inches
+RING = 1
+"""Pixels of the frame around what has the keyboard."""
 _LARGE = 3.0  # pixels of the display for one of the image, which then has sharp edges
 
 
@@ -42,11 +44,11 @@ def write_figure(figure: Figure, file: BinaryIO, format: str, **options: Any) ->
     figure.savefig(file, format=format, dpi=_FILE_DPI, **options)
 
 
-def frame_focused(canvas: QWidget) -> None:
-    """Paint a frame on a canvas that has the keyboard focus."""
-    if canvas.hasFocus():
+def frame_focused(canvas: QWidget, inner: QWidget | None = None) -> None:
+    """Paint a frame on a canvas that has the keyboard focus, or whose inner widget has it."""
+    if (inner or canvas).hasFocus():
         painter = QPainter(canvas)
-        painter.setPen(QPen(canvas.palette().highlight().color(), 1))
+        painter.setPen(QPen(canvas.palette().link().color(), RING))
         painter.drawRect(canvas.rect().adjusted(0, 0, -1, -1))
         painter.end()
 

@@ -25,7 +25,7 @@ from workbench.pictures.axes import ticks_along
 
 _BAR, _TICK, _GAP = 10.0, 4.0, 3.0  # pixels: width of the bar, length of ticks, around numbers
 _SMALLER = 0.85  # numbers, relative to other text
-_BACKING, _HALO = 175, 110  # of 255: opacity behind numbers, and around lines
+_BACKING, _HALO = 190, 110  # of 255: opacity behind numbers, and around lines
 _WIDE, _HIGH = 12, 4  # distance of ticks, in characters and lines
 _FEWEST = 2  # such distances on an image with numbers
 _DOT, _DASH = 2.5, 5.0  # pixels

@@ -24,12 +24,14 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QKeyEvent,
     QMouseEvent,
+    QPaintEvent,
     QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
 
 from ui.document.frame import same_task
+from ui.views.image_canvas import RING, frame_focused
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
 from ui.views.tools import Pointer, Tool, ToolInput, pixel_at, pointer_at, steer
@@ -96,6 +98,7 @@ class SceneView(View):
         self._over = QGridLayout()
         self._over.addWidget(self._hint, 0, 0, Qt.AlignmentFlag.AlignBottom)
         self._box.addLayout(self._over, 1)
+        self._box.setContentsMargins(*4 * [RING])
 
     @property
     def frame(self) -> "Frame | None":
@@ -258,8 +261,15 @@ class SceneView(View):
         self.close_plotter()
         super().closeEvent(event)
 
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._plotter is not None:
+            frame_focused(self, self._plotter)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         plotter = self._plotter
+        if event.type() in (QEvent.Type.FocusIn, QEvent.Type.FocusOut):
+            self.update()
         if isinstance(event, QMouseEvent | QWheelEvent) and event.type() in _STOPS:
             self._flight.stop()
         kept = plotter is not None and (
@@ -352,10 +362,7 @@ class SceneView(View):
         self._hint.raise_()
 
     def _show_cursor(self) -> None:
-        if self._tool is None:
-            self._plotter.unsetCursor()
-        else:
-            self._plotter.setCursor(self._tool.cursor)
+        self._plotter.setCursor(self._tool.cursor if self._tool else Qt.CursorShape.ArrowCursor)
 
     def _begin(self, session: "Session") -> None:
         self._land()

@@ -180,6 +180,7 @@ class Table(QTableWidget):
         self.setAlternatingRowColors(True)
         self.setShowGrid(False)
         self.setFrameShape(QTableWidget.Shape.NoFrame)
+        self.setTabKeyNavigation(False)  # Tab leads on; arrows move within
         self.verticalHeader().hide()
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)

@@ -18,6 +18,8 @@ _WARNING = {"light": "#fff0c8", "dark": "#4d3f10"}
 # Fusion's buttons that are on look like the others in the dark.
 _ON = {"light": "#b5d3ee", "dark": "#2a6296"}
 _MUTED = {"light": "#5f656d", "dark": "#a3a8b0"}  # 5:1 on both grounds
+_LINK = {"light": "#1f66a3", "dark": "#6cb0ea"}  # also of rings around what has the keyboard
+_DISABLED = {"light": "#6a7078", "dark": "#91969e"}
 _DASHES = {"light": "#8d939b", "dark": "#6f7680"}  # 3:1 on both grounds
 _NOTE = {"light": "#dcebfa", "dark": "#1d3a56"}
 _RAISED = {"light": "#ffffff", "dark": "#2d3138"}  # notices over something else, and
@@ -128,14 +130,13 @@ def _palette(name: str) -> QPalette:
         roles.ButtonText: text,
         roles.Highlight: QColor(_HIGHLIGHT),
         roles.HighlightedText: QColor("white"),
-        roles.Link: QColor(_HIGHLIGHT),
+        roles.Link: QColor(_LINK[name]),
+        roles.LinkVisited: QColor(_LINK[name]),
+        roles.PlaceholderText: QColor(_MUTED[name]),
     }.items():
         palette.setColor(role, colour)
     for role in (roles.WindowText, roles.Text, roles.ButtonText):
-        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor("#808080"))
-    placeholder = QColor(text)
-    placeholder.setAlphaF(0.5)
-    palette.setColor(roles.PlaceholderText, placeholder)
+        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(_DISABLED[name]))
     return palette
 
 
@@ -167,7 +168,11 @@ def _colour(application: QApplication) -> None:
             font-weight: 600; border: none; border-bottom: 1px solid palette(mid); padding: 4px;
             background: none;
         }}
-        QToolButton#heading:hover, QToolButton#heading:focus {{ background: palette(midlight); }}
+        QToolButton#heading:hover {{ background: palette(midlight); }}
+        QToolButton:focus, QToolButton#heading:focus, QTabBar:focus, QScrollArea:focus,
+        QAbstractItemView:focus, QPushButton#primary:focus {{
+            border: 1px solid {_LINK[scheme]}; border-radius: 2px;
+        }}
         QLabel#title {{
             font-size: {title}pt; font-weight: 600; padding: 4px 0; qproperty-indent: 0;
         }}
@@ -180,7 +185,6 @@ def _colour(application: QApplication) -> None:
             background: {_HIGHLIGHT}; color: white; border: 1px solid {_HIGHLIGHT};
             border-radius: 4px; padding: 5px 16px;
         }}
-        QPushButton#primary:focus {{ border-color: palette(text); }}
         QLabel#section {{ font-weight: 600; padding: 8px 8px 0 4px; }}
         QDockWidget {{
             titlebar-close-icon: url("{_icon_file("dock-close").as_posix()}");

@@ -112,6 +112,10 @@ class Panes:
             return self.strip.isVisible()
         return name == self.images.name if PANES[name].image else self.docks[name].seen
 
+    def covers(self, widget: QWidget) -> bool:
+        """Whether a widget is in a dock behind another one."""
+        return any(d.isAncestorOf(widget) and not d.seen for d in self.docks.values())
+
     def show(self, name: str) -> None:
         """Show a pane, in whatever workspace."""
         if PANES[name].image:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import partial
+from itertools import pairwise
 
 from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeyEvent, QMouseEvent, QRegion, QResizeEvent
@@ -39,6 +40,7 @@ class ImagePanel(QFrame):
     def __init__(self, over: QWidget) -> None:
         super().__init__()
         self.setObjectName("centre")  # for the style sheet
+        self._views = _Swipe(self)  # first: the keyboard comes to them before the buttons
         self._bar = QToolBar(tr("Image"))
         self._bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         one_of = QActionGroup(self)
@@ -63,7 +65,6 @@ class ImagePanel(QFrame):
         self._compare.toggled.connect(self._show)
         for more in self._bar.findChildren(QToolButton, "qt_toolbar_ext_button"):
             more.setAccessibleName(tr("More images"))  # where space is short
-        self._views = _Swipe()
         self._name, self._second = "irradiance", "target"
         self._offer_pinned(False)
         box = QVBoxLayout()
@@ -96,6 +97,8 @@ class ImagePanel(QFrame):
     def put(self, views: Mapping[str, QWidget]) -> None:
         """Show views in place of the words that stand for them while they are loaded."""
         self._views.put(views)
+        for before, after in pairwise([self._compare, *views.values()]):
+            QWidget.setTabOrder(before, after)
         self._show()
 
     def choose(self, name: str) -> None:
@@ -153,14 +156,13 @@ class ImagePanel(QFrame):
         words = tr("Compare: {image}").format(image=second.text()) if self.compared else ""
         self._compare.setText(words or tr("Compare"))
         self._views.show_views(self._name, self.compared)
-        self.setFocusProxy(self._views.first)
 
 
 class _Swipe(QWidget):
     """Views of the same size in the same place; the second is seen to the right of a handle."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
         loading = QLabel(tr("Loading…"), alignment=Qt.AlignmentFlag.AlignCenter, parent=self)
         self._views: dict[str, QWidget] = {}
         self.first: QWidget = loading

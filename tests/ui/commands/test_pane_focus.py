@@ -1,10 +1,12 @@
 """Every pane is reachable by keyboard, and the one with the focus is marked."""
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
 
 from tests.ui.hands import editor
+from ui.commands.panes import WORKSPACES
 from ui.commands.table import COMMANDS
 
 
@@ -91,3 +93,30 @@ def test_commands_look_at_lens_and_screen(display, window, qtbot):
         assert window.commands[f"{name}_view"].shortcut().toString() == keys
         window.commands[f"{name}_view"].trigger()
         assert scene.camera() == {"fitted": name}
+
+
+@pytest.mark.parametrize("workspace", WORKSPACES)
+def test_tab_reaches_all_that_is_seen_and_nothing_behind(display, window, qtbot, workspace):
+    window.build()
+    window.commands[f"workspace_{workspace}"].trigger()
+    qtbot.wait(300)
+    reached = []
+    while QApplication.focusWidget() not in reached:
+        reached.append(QApplication.focusWidget())
+        qtbot.keyClick(reached[-1] or window, Qt.Key.Key_Tab)
+    assert not any(window.panes.covers(widget) for widget in reached if widget is not None)
+    stops = [
+        widget
+        for widget in window.findChildren(QWidget)
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+        and widget.isVisible()
+        and widget.isEnabled()
+        and widget.focusProxy() is None
+        and widget.window() is window
+        and not window.panes.covers(widget)
+    ]
+    assert {name_of(widget) for widget in stops} <= {name_of(each) for each in reached if each}
+
+
+def name_of(widget):
+    return f"{type(widget).__name__} {widget.accessibleName() or widget.objectName()}"
