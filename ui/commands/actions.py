@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMenu,
     QMenuBar,
-    QToolBar,
     QToolButton,
     QWidget,
 )
@@ -29,6 +28,7 @@ from ui.commands.table import (
     WORKSPACE_CHOICES,
     Command,
 )
+from ui.commands.toolbar import Toolbar
 from ui.widgets import theme
 from ui.words import tr
 
@@ -127,22 +127,11 @@ SCENE_MENU = [
 ]
 """Names, separators and menus of the 3D view."""
 _FILES, _STEPS = ["new", "open", "save", "export"], ["undo", "redo"]
-TOOLBAR = [
-    *_FILES,
-    None,
-    *_STEPS,
-    None,
-    *_RUN,
-    "follow",
-    None,
-    *TOOLS,
-    None,
-    "mark_region",
-    "fit_view",
-]
-"""Names and separators, as in a menu."""
-LABELLED = _RUN
-"""Those whose name stands beside the icon in the toolbar."""
+_LOOKS = ["mark_region", "fit_view"]
+TOOLBAR = [_FILES, _STEPS, [*_RUN, "follow"], list(TOOLS), _LOOKS]
+"""Groups of the toolbar."""
+NAMED_FIRST = [_RUN, ["follow"], list(TOOLS), _LOOKS, _FILES, _STEPS]
+"""Groups whose names stand beside their icons, as far as there is room."""
 CHOICES = [
     list(RAYS),
     list(RAYS_BY),
@@ -183,20 +172,12 @@ class Commands:
                 self.scene_menu.addMenu(self.menus[each])
             else:
                 self.scene_menu.addAction(self[each])
-        self.toolbar = QToolBar(tr("Toolbar"), window)
-        self.toolbar.setObjectName("toolbar")
-        self.toolbar.setMovable(False)
-        for entry in TOOLBAR:
-            if entry is None:
-                self.toolbar.addSeparator()
-            else:
-                self.toolbar.addAction(self[entry])
-        labelled = [self[name] for name in LABELLED]
-        for button in self.toolbar.findChildren(QToolButton):
-            if button.defaultAction() in labelled:
-                button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            if button.defaultAction() is None:  # Qt's own, in a toolbar that is too narrow
-                button.setAccessibleName(tr("More commands"))
+        for name in _STEPS:  # without the step itself, whose name may be long
+            self[name].setIconText(self[name].iconText())
+        groups, named = (
+            [[self[name] for name in group] for group in which] for which in (TOOLBAR, NAMED_FIRST)
+        )
+        self.toolbar = Toolbar(window, groups, named)
         window.addToolBar(self.toolbar)
         window.menuBar().setCornerWidget(self._workspaces(), Qt.Corner.TopRightCorner)
         self.colour_icons()
@@ -250,6 +231,7 @@ class Commands:
     def reword(self, texts: Mapping[str, str]) -> None:
         for name, text in texts.items():
             self[name].setText(text)
+        self.toolbar.follow_texts()
 
     def entries(self) -> list[tuple[str, QAction]]:
         bar = self._window.menuBar()

@@ -100,7 +100,7 @@ class ImageCanvas(QWidget):
         self.recolour()
 
     def recolour(self) -> None:
-        palette = self.palette()
+        palette = self.parentWidget().palette()  # its own follows after this, where they change
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
 
     def show_changes(self, _: bool) -> None:

@@ -25,6 +25,7 @@ class Pages(QStackedWidget):
         self.addWidget(start)
         start.left.connect(self.show_desk)
         workspaces.changed.connect(self.show_desk)
+        self.desk.setFocus()  # else Qt gives the keyboard to the first button
 
     @property
     def at_start(self) -> bool:
@@ -39,7 +40,9 @@ class Pages(QStackedWidget):
 
     def show_desk(self, name: str = "") -> None:
         """Show the desk, in the present workspace or in another one."""
-        self.setCurrentWidget(self.desk)
+        if self.currentWidget() is not self.desk:
+            self.setCurrentWidget(self.desk)
+            self.desk.setFocus()
         self._commands.toolbar.show()
         self._workspaces.choose(name or self._workspaces.name)
         self._commands[f"workspace_{self._workspaces.name}"].setChecked(True)
