@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QMainWindow, QToolBar, QToolButton
 
+from ui.widgets.controls import name_extension
 from ui.words import tr
 
 Group = Sequence[QAction]
@@ -27,9 +28,7 @@ class Toolbar(QToolBar):
             if number:
                 self.addSeparator()
             self.addActions(list(group))
-        for button in self.findChildren(QToolButton):
-            if button.defaultAction() is None:  # Qt's own, in a toolbar that is too narrow
-                button.setAccessibleName(tr("More commands"))
+        name_extension(self, tr("More commands"))
         self._groups = [[self.widgetForAction(each) for each in group] for group in named_first]
         self._texts: list[str] = []
 

@@ -13,7 +13,7 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QImage,
     QPainter,
@@ -100,7 +100,7 @@ class ImageCanvas(QWidget):
         self.recolour()
 
     def recolour(self) -> None:
-        palette = self.parentWidget().palette()  # its own follows after this, where they change
+        palette = self.palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
 
     def show_changes(self, _: bool) -> None:
@@ -141,6 +141,11 @@ class ImageCanvas(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._settle()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:  # after that of the parent
+            self.recolour()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

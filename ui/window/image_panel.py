@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.commands.panes import PANES
-from ui.widgets.controls import filled
+from ui.widgets.controls import filled, name_extension
 from ui.words import tr
 
 _HANDLE = 7  # pixels, of the handle between two views
@@ -63,8 +63,7 @@ class ImagePanel(QFrame):
             one_of.addAction(action)
         self._compare.setMenu(menu)
         self._compare.toggled.connect(self._show)
-        for more in self._bar.findChildren(QToolButton, "qt_toolbar_ext_button"):
-            more.setAccessibleName(tr("More images"))  # where space is short
+        name_extension(self._bar, tr("More images"))
         self._name, self._second = "irradiance", "target"
         self._offer_pinned(False)
         box = QVBoxLayout()

@@ -120,3 +120,10 @@ def test_tab_reaches_all_that_is_seen_and_nothing_behind(display, window, qtbot,
 
 def name_of(widget):
     return f"{type(widget).__name__} {widget.accessibleName() or widget.objectName()}"
+
+
+def test_no_button_has_the_keyboard_at_the_start(window):
+    assert window.focusWidget() is window.pages.desk
+    window.commands["new"].trigger()
+    window.commands["workspace_check"].trigger()
+    assert window.focusWidget() is window.pages.desk

@@ -4,8 +4,11 @@ import io
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
+from PySide6.QtWidgets import QApplication
 
 from ui.views.surface_view import SurfaceView
+from ui.widgets import theme
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 
@@ -69,3 +72,12 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     qtbot.waitUntil(lambda: not view.faces.isVisible())
     assert view.faces.face == "lens.back"
     assert view.data()[-1].name == "height [cm]"
+
+
+def test_a_map_follows_a_change_of_the_theme(view, tilted, qtbot):
+    application = QApplication.instance()
+    for scheme in ("dark", "light"):
+        theme.choose(application, scheme)
+        ground = view.palette().window().color().name()
+        assert to_hex(view._canvas.figure.get_facecolor()) == ground
+    theme.choose(application, "system")
