@@ -125,6 +125,7 @@ class MainWindow(QMainWindow):
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._show_following)
         self._view_state.attach(loaded.views.scene)
+        self.exporter.map_of_tiles = loaded.manufacture.map
         self._show_state()
         self.built.emit()
 
@@ -256,11 +257,10 @@ class MainWindow(QMainWindow):
     def focusNextPrevChild(self, next: bool) -> bool:
         """Move the focus by Tab, but not into docks behind others."""
         began = self.focusWidget()
-        while super().focusNextPrevChild(next):
-            now = self.focusWidget()
-            if now is began or not self.panes.covers(now):
-                return True
-        return False
+        while moved := super().focusNextPrevChild(next):
+            if self.focusWidget() is began or not self.panes.covers(self.focusWidget()):
+                break
+        return moved
 
     def _add_menus(self) -> None:
         for dock in self.panes.docks.values():
@@ -324,8 +324,7 @@ class MainWindow(QMainWindow):
             self.document.undo_stack.undo()
 
     def _use_picture(self, path: Path) -> None:
-        take = self.start_page.use_picture if self.pages.at_start else self.forms.choose_image
-        take(path)
+        (self.start_page.use_picture if self.pages.at_start else self.forms.choose_image)(path)
 
     def _use_light(self, path: Path) -> None:
         if self.pages.at_start:
