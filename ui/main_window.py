@@ -125,7 +125,6 @@ class MainWindow(QMainWindow):
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._show_following)
         self._view_state.attach(loaded.views.scene)
-        self.exporter.map_of_tiles = loaded.manufacture.map
         self._show_state()
         self.built.emit()
 

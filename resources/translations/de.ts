@@ -160,16 +160,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Test t&amp;ile…</source>
-            <translation>&amp;Testkachel …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Write a square of the face as a test piece (STL, 3MF)</source>
-            <translation>Ein Quadrat der Fläche als Probestück schreiben (STL, 3MF)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Be&amp;richt …</translation>
         </message>
@@ -1765,11 +1755,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writes a square of the face on a flat back as a mesh, to print or to mill a test piece. It is cut out about the middle of what the map of the dock Manufacture shows: zoom and pan the map to choose another place.</source>
-            <translation>Schreibt ein Quadrat der Fläche mit ebener Rückseite als Netz, um ein Probestück zu drucken oder zu fräsen. Es liegt um die Mitte dessen, was die Karte im Bereich Fertigung zeigt: Karte zoomen und verschieben, um eine andere Stelle zu wählen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>export</source>
             <translation>Export</translation>
         </message>
@@ -1782,21 +1767,6 @@
             <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Fräsen: {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Test tile</source>
-            <translation>Testkachel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Side ({unit})</source>
-            <translation>Seite ({unit})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>tile</source>
-            <translation>Kachel</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -9381,16 +9351,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/design.py" />
-            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the lens</source>
-            <translation>{side:g} {unit} um ({x:g}, {y:g}) liegt nicht innerhalb der Linse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/design.py" />
-            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the mirror</source>
-            <translation>{side:g} {unit} um ({x:g}, {y:g}) liegt nicht innerhalb des Spiegels</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>eine Kegelschnitt-Vorderseite des entworfenen Elements wird nicht exportiert; eine ebene</translation>
         </message>
@@ -9468,11 +9428,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/files/export/write.py" />
             <source>the entrance face is not freeform, so it has no file</source>
             <translation>die Eintrittsfläche ist keine Freiformfläche und hat keine Datei</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/write.py" />
-            <source>holds no mesh; a tile is written as one</source>
-            <translation>enthält kein Netz; eine Kachel wird als Netz geschrieben</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />

@@ -160,16 +160,6 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Test t&amp;ile…</source>
-            <translation>Plaquette d'essa&amp;i…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
-            <source>Write a square of the face as a test piece (STL, 3MF)</source>
-            <translation>Écrire un carré de la face comme pièce d'essai (STL, 3MF)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Ra&amp;pport…</translation>
         </message>
@@ -1765,11 +1755,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Writes a square of the face on a flat back as a mesh, to print or to mill a test piece. It is cut out about the middle of what the map of the dock Manufacture shows: zoom and pan the map to choose another place.</source>
-            <translation>Écrit un carré de la face avec un dos plan sous forme de maillage, pour imprimer ou fraiser une pièce d'essai. Il est découpé autour du milieu de ce que montre la carte du volet Fabrication : agrandir et déplacer la carte pour choisir un autre endroit.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>export</source>
             <translation>export</translation>
         </message>
@@ -1782,21 +1767,6 @@
             <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Usiner : {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Test tile</source>
-            <translation>Plaquette d'essai</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>Side ({unit})</source>
-            <translation>Côté ({unit})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
-            <source>tile</source>
-            <translation>plaquette</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -9381,16 +9351,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/design.py" />
-            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the lens</source>
-            <translation>{side:g} {unit} autour de ({x:g}, {y:g}) n'est pas dans la lentille</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/design.py" />
-            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the mirror</source>
-            <translation>{side:g} {unit} autour de ({x:g}, {y:g}) n'est pas dans le miroir</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>une face avant conique de l'élément conçu n'est pas exportée ; une plane</translation>
         </message>
@@ -9468,11 +9428,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/files/export/write.py" />
             <source>the entrance face is not freeform, so it has no file</source>
             <translation>la face d'entrée n'est pas de forme libre et n'a pas de fichier</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/write.py" />
-            <source>holds no mesh; a tile is written as one</source>
-            <translation>ne contient pas de maillage ; une plaquette s'écrit comme maillage</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/write.py" />

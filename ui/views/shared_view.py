@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from workbench.analysis.manufacture import Limits
+from workbench.analysis.shop_limits import Limits
 from workbench.geometry.faces import ControlPoint
 
 if TYPE_CHECKING:

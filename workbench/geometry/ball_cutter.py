@@ -16,7 +16,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -96,14 +96,15 @@ def blocked_places(face: GridFace, radius: float) -> Mask:
 
 
 def _blocked_places(face: GridFace, radius: float, above: float, *, finest: bool) -> Mask:
-    blocked = np.zeros(face.height.shape, dtype=bool)
+    blocked: Mask = np.zeros(face.height.shape, dtype=bool)
     for i, j in _offsets(blocked.shape, finest):
         if _may_block(face, i, j, radius * above):
             for (rows, columns), curved in _pairs(face, i, j):
                 blocked[rows, columns] |= curved > 1 / radius
     if max(blocked.shape) > _WINDOW and min(blocked.shape) > 2:
         further = _blocked_places(face.coarser(), radius, above, finest=False)
-        blocked |= further.repeat(2, 0).repeat(2, 1)[: blocked.shape[0], : blocked.shape[1]]
+        twice = np.kron(further, np.ones((2, 2), dtype=bool))
+        blocked |= twice[: blocked.shape[0], : blocked.shape[1]]
     return blocked
 
 
@@ -128,7 +129,7 @@ def _offsets(shape: tuple[int, ...], finest: bool) -> Iterator[tuple[int, int]]:
                 yield i, j
 
 
-def _pairs(face: GridFace, i: int, j: int) -> Iterator[tuple[tuple[Any, Any], Array]]:
+def _pairs(face: GridFace, i: int, j: int) -> Iterator[tuple[tuple[slice, slice], Array]]:
     """Both ends of all pairs so many steps apart, and 1 / R of the largest ball that fits there."""
     rows = slice(None, -i or None), slice(i, None)
     columns = slice(max(-j, 0), -j if j > 0 else None), slice(max(j, 0), j if j < 0 else None)
