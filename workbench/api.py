@@ -1,20 +1,18 @@
 """What other Python programs may rely on; everything else may change without notice.
 
-All of it can be had from `workbench` itself, and loads when it is first asked for. Faces, sources
-and losses of one's own are in `workbench.custom`.
+`workbench` offers it, too. Faces, sources and losses of one's own are in `workbench.custom`.
 
 Examples
 --------
-A lens, designed, looked at on the way, checked with other rays than the design's, exported, saved:
+A lens, designed, checked with other rays than the design's, exported and saved:
 
 >>> from workbench import DesignRun, check, export, load, save
 >>> from resources import path
->>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=2)
+>>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
 >>> for snapshot in run:
 ...     print(snapshot.iteration, snapshot.state.irradiance.shape)
 0 (256, 256)
 1 (256, 256)
-2 (256, 256)
 >>> lens = run.session
 >>> found = check(lens, rays=1_000_000)
 >>> found.efficiency == found.account.on_screen
@@ -397,6 +395,6 @@ def sensitivity(
     >>> found["lens.material.index"].value < 0  # a denser glass reflects more
     True
     """
-    from workbench.analysis.derivatives import sensitivities  # late: it loads torch
+    from workbench.analysis.derivatives import sensitivities  # loads torch
 
     return sensitivities(session.scene, result_of(session).state.heights, figure, paths)

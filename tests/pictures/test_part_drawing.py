@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from resources import path
 from tests.analysis.lenses import net_of
 from workbench.geometry.surface import nets_of
-from workbench.pictures.part_drawing import PartDrawing
+from workbench.pictures.part.drawing import PartDrawing
 from workbench.scene import Scene
 
 WIDTH = 7.5

@@ -70,7 +70,7 @@ def inspect(
             error = verified_error(light.verified)
             print(f"{name:{width}}{error:12}{100 * light.efficiency:.2f} %")
     if plot is not None:
-        from workbench.pictures.inspection import write_inspection  # slow import
+        from workbench.pictures.part.inspection import write_inspection  # slow import
 
         images = {name: light for name, light in lights.items() if name != _CORRECTED}
         with replacing(plot) as stream:

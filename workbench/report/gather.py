@@ -23,7 +23,7 @@ from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.measured.lamps import light_unit
 from workbench.pictures import report as pictures
 from workbench.pictures.axes import Extent
-from workbench.pictures.part_drawing import PartDrawing
+from workbench.pictures.part.drawing import PartDrawing
 from workbench.pictures.train_section import draw_train_section
 from workbench.powers import written
 from workbench.report.content import Fact, PagePicture, Report, Section

@@ -12,7 +12,7 @@ from pypdf import PdfReader
 from tests.analysis.lenses import net_of
 from workbench.files.export.inspection import write_inspection
 from workbench.files.export.options import Drawing
-from workbench.pictures.part_sheet import write_drawing, write_dxf
+from workbench.pictures.part.sheet import write_drawing, write_dxf
 
 
 def wedge(x, y):

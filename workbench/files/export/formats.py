@@ -59,7 +59,7 @@ class Format(NamedTuple):
         return import_module(self.module if "." in self.module else f"{__package__}.{self.module}")
 
 
-_DRAWINGS = "workbench.pictures.part_sheet"
+_DRAWINGS = "workbench.pictures.part.sheet"
 GCODE = Format(
     (".nc", ".gcode"),
     "G-code",

@@ -6,7 +6,7 @@ from workbench.files.export.design import Design, Deviation
 from workbench.files.export.inspection import Inspection
 from workbench.files.export.options import Drawing
 from workbench.pictures import report
-from workbench.pictures.part_drawing import BASE, FOOT, SIDE, PartDrawing
+from workbench.pictures.part.drawing import BASE, FOOT, SIDE, PartDrawing
 from workbench.powers import written
 from workbench.units import ratio
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.geometry.face_grids import element_sides
-from workbench.pictures.pens import AxesPen, DxfPen, Pen
+from workbench.pictures.part.pens import AxesPen, DxfPen, Pen
 from workbench.powers import written
 from workbench.scene import Element
 from workbench.units import ratio

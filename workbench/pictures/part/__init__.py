@@ -1,0 +1,1 @@
+"""Drawings of a part: on a page, as DXF, and of its measurement."""
