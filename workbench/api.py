@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from workbench.analysis.cells.image import ACCURACY
-from workbench.analysis.inspection.inspection import Inspection, Units, corrected_session, inspected
+from workbench.analysis.inspection.inspection import Inspection
 from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
@@ -42,10 +42,8 @@ from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.made import as_made, expected_error, photograph, plan
-from workbench.measured.surfaces import read_surface
+from workbench.made import as_made, corrected, expected_error, inspect, photograph, plan
 from workbench.option_groups import OptionGroup
-from workbench.reading import opened
 from workbench.scene import Scene
 
 __all__ = [
@@ -79,7 +77,6 @@ __all__ = [
 
 if TYPE_CHECKING:
     from workbench.analysis.derivatives import Figure, Sensitivity
-    from workbench.measured.surfaces import PictureScale
 
 File = str | PathLike[str]
 
@@ -193,92 +190,6 @@ def check(
     """
     lens = result_of(session).state.heights if heights is None else heights
     return validate(session.scene, session.target, lens, rays, seed, accuracy=ACCURACY)
-
-
-def inspect(
-    session: Session,
-    *files: File,
-    face: str | None = None,
-    unit: str | None = None,
-    height_unit: str | None = None,
-    with_scale: bool = False,
-    pictures: "PictureScale | None" = None,
-) -> Inspection:
-    """Align measurements of made parts to a face of a lens, and find how far they are off.
-
-    Parameters
-    ----------
-    session : Session
-        A session with the lens as designed.
-    *files : path
-        A measurement of each part: points, a grid of heights, a mesh or a picture of heights.
-    face : str, optional
-        Face that was measured, such as ``lens.back``; by default the designed face.
-    unit, height_unit : str, optional
-        Units of lengths and of heights: "mm", "cm", "m", "inch", "um" or "nm"; by default that
-        of the file, or else of the scene.
-    with_scale : bool
-        Whether to determine a scale, too, as of shrinkage.
-    pictures : PictureScale, optional
-        Scale of pictures that have none of their own.
-
-    Returns
-    -------
-    Inspection
-        Placement and residual of each part, and the part of the residual that repeats.
-
-    Raises
-    ------
-    Refused
-        If the session has no lens, a file cannot be read, or its points do not fit the face.
-
-    Examples
-    --------
-    >>> from resources import path
-    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
-    >>> for snapshot in run:
-    ...     pass
-    >>> written = export(run.session, "part.height.csv")
-    >>> found = inspect(run.session, "part.height.csv")
-    >>> found.parts[0].residual.rms < 1e-6
-    True
-    >>> as_measured = check(run.session, 1_000_000, heights=found.as_measured(found.parts[0]))
-    >>> save(corrected(run.session, found, rays=1_000_000), "corrected.freeform")
-    """
-    surfaces = []
-    for path in map(Path, files):
-        with opened(path) as file:
-            surfaces.append((str(path), read_surface(path, file, pictures)))
-    return inspected(session, surfaces, face, Units(unit, height_unit), with_scale)
-
-
-def corrected(
-    session: Session,
-    inspection: Inspection,
-    made_from: Session | None = None,
-    rays: int = 4_000_000,
-) -> Session:
-    """Return a session whose face makes good what repeats in measured parts.
-
-    Parameters
-    ----------
-    session : Session
-        The lens as designed, with which the parts were compared.
-    inspection : Inspection
-        What `inspect` found.
-    made_from : Session, optional
-        The corrected lens that the parts were made from; by default the lens as designed.
-    rays : int
-        Rays of the check that gives the light of the corrected lens.
-
-    Raises
-    ------
-    Refused
-        If the corrected lens is no body.
-    """
-    base = None if made_from is None else result_of(made_from).state.heights
-    heights = inspection.corrected(base)
-    return corrected_session(session, heights, check(session, rays, heights=heights))
 
 
 def export(

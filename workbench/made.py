@@ -1,13 +1,20 @@
-"""The lens as made, for other Python programs: errors, plans, mean errors and photographs.
+"""The lens as made, for other Python programs: errors, plans, photographs and measured parts.
 
 `workbench.api` has these functions too.
 """
 
 from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbench.analysis.cells.image import ACCURACY
+from workbench.analysis.inspection.inspection import Inspection, Units, corrected_session, inspected
+from workbench.analysis.validation import validate
 from workbench.design.session import Session, result_of
+from workbench.measured.surfaces import read_surface
 from workbench.progress import finished
+from workbench.reading import opened
 
 if TYPE_CHECKING:
     from workbench.analysis.making.as_made import MadeStep
@@ -15,6 +22,9 @@ if TYPE_CHECKING:
     from workbench.analysis.making.plan import ShopPlans, ShopRates
     from workbench.analysis.making.robust import ExpectedError
     from workbench.arrays import Array
+    from workbench.measured.surfaces import PictureScale
+
+File = str | PathLike[str]
 
 
 def as_made(session: Session, rays: int = 1_000_000) -> "tuple[MadeStep, ...]":
@@ -156,3 +166,103 @@ def photograph(session: Session, picture: "Array", corners: "Sequence[Corner]") 
 
     heights = result_of(session).state.heights
     return finished(comparing(session.scene, session.target, heights, picture, corners))
+
+
+def inspect(
+    session: Session,
+    *files: File,
+    face: str | None = None,
+    unit: str | None = None,
+    height_unit: str | None = None,
+    with_scale: bool = False,
+    pictures: "PictureScale | None" = None,
+) -> Inspection:
+    """Align measurements of made parts to a face of a lens, and find how far they are off.
+
+    Parameters
+    ----------
+    session : Session
+        A session with the lens as designed.
+    *files : path
+        A measurement of each part: points, a grid of heights, a mesh or a picture of heights.
+    face : str, optional
+        Face that was measured, such as ``lens.back``; by default the designed face.
+    unit, height_unit : str, optional
+        Units of lengths and of heights: "mm", "cm", "m", "inch", "um" or "nm"; by default that
+        of the file, or else of the scene.
+    with_scale : bool
+        Whether to determine a scale, too, as of shrinkage.
+    pictures : PictureScale, optional
+        Scale of pictures that have none of their own.
+
+    Returns
+    -------
+    Inspection
+        Placement and residual of each part, and the part of the residual that repeats.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens, a file cannot be read, or its points do not fit the face.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench import DesignRun, check, export, load, save
+    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
+    >>> for snapshot in run:
+    ...     pass
+    >>> written = export(run.session, "part.height.csv")
+    >>> found = inspect(run.session, "part.height.csv")
+    >>> found.parts[0].residual.rms < 1e-6
+    True
+    >>> as_measured = check(run.session, 1_000_000, heights=found.as_measured(found.parts[0]))
+    >>> save(corrected(run.session, found, rays=1_000_000), "corrected.freeform")
+    """
+    surfaces = []
+    for path in map(Path, files):
+        with opened(path) as file:
+            surfaces.append((str(path), read_surface(path, file, pictures)))
+    return inspected(session, surfaces, face, Units(unit, height_unit), with_scale)
+
+
+def corrected(
+    session: Session,
+    inspection: Inspection,
+    made_from: Session | None = None,
+    rays: int = 4_000_000,
+) -> Session:
+    """Return a session whose face makes good what repeats in measured parts.
+
+    Parameters
+    ----------
+    session : Session
+        The lens as designed, with which the parts were compared.
+    inspection : Inspection
+        What `inspect` found.
+    made_from : Session, optional
+        The corrected lens that the parts were made from; by default the lens as designed.
+    rays : int
+        Rays of the check that gives the light of the corrected lens.
+
+    Raises
+    ------
+    Refused
+        If the corrected lens is no body.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench import DesignRun, export, load
+    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
+    >>> for snapshot in run:
+    ...     pass
+    >>> written = export(run.session, "made.height.csv")
+    >>> again = corrected(run.session, inspect(run.session, "made.height.csv"), rays=1_000_000)
+    >>> again.result is not None
+    True
+    """
+    base = None if made_from is None else result_of(made_from).state.heights
+    scene, heights = session.scene, inspection.corrected(base)
+    light = validate(scene, session.target, heights, rays, accuracy=ACCURACY)
+    return corrected_session(session, heights, light)

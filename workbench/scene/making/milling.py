@@ -71,7 +71,7 @@ class Milling(Process):
 
     def remarks(self) -> dict[str, str]:
         """The height of the scallops."""
-        return {"step_over": f"scallops {written(self.scallop)}"}
+        return {"step_over": f"scallops {written(self.scallop, digits=2)}"}
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
