@@ -20,6 +20,7 @@ __all__ = [
     "Scene",
     "Session",
     "Snapshot",
+    "Tile",
     "Turning",
     "Validation",
     "Written",

@@ -37,7 +37,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
-from workbench.files.export.options import MILLIMETRES, Cutting, Drawing, Turning
+from workbench.files.export.options import MILLIMETRES, Cutting, Drawing, Tile, Turning
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
@@ -58,6 +58,7 @@ __all__ = [
     "Scene",
     "Session",
     "Snapshot",
+    "Tile",
     "Turning",
     "Validation",
     "Written",
@@ -215,7 +216,7 @@ def export(
         that of the scene. Most programs take them for millimetres.
     options : sequence
         Options of formats: `Cutting` of G-code, `Turning` of tables for diamond turning, `Drawing`
-        of drawings and inspection points.
+        of drawings and inspection points, `Tile` of meshes: a square of the face as a test piece.
 
     Returns
     -------

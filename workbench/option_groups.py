@@ -62,6 +62,8 @@ class Option:
                 least=self.least,
                 most=self.most,
             )
+        if math.isinf(self.least):
+            return Message("{value:g}; a finite number is needed", value=value)
         if self.above:
             return Message("{value:g}; a length above 0", value=value)
         return Message("{value:g}; a length of 0 or more", value=value)

@@ -8056,6 +8056,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Tile side</source>
+            <translation>Kachelseite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Write only a square of the face on a flat back, this wide, as a test piece. Empty: the whole part.</source>
+            <translation>Nur ein Quadrat der Fläche mit ebener Rückseite, so breit wie angegeben, als Probestück schreiben. Leer: das ganze Teil.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>whole part</source>
+            <translation>ganzes Teil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tile x</source>
+            <translation>Kachel x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle of the tile along x.</source>
+            <translation>Mitte der Kachel entlang x.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tile y</source>
+            <translation>Kachel y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle of the tile along y.</source>
+            <translation>Mitte der Kachel entlang y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Thinnest</source>
             <translation>Dünnste Stelle</translation>
         </message>
@@ -9351,6 +9386,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/files/export/design.py" />
+            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the lens</source>
+            <translation>{side:g} {unit} um ({x:g}, {y:g}) liegt nicht innerhalb der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
+            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the mirror</source>
+            <translation>{side:g} {unit} um ({x:g}, {y:g}) liegt nicht innerhalb des Spiegels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>eine Kegelschnitt-Vorderseite des entworfenen Elements wird nicht exportiert; eine ebene</translation>
         </message>
@@ -10383,6 +10428,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/option_groups.py" />
             <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
             <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a finite number is needed</source>
+            <translation>{value:g}; eine endliche Zahl ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/option_groups.py" />

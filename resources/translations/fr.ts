@@ -8056,6 +8056,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Tile side</source>
+            <translation>Côté de la plaquette</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Write only a square of the face on a flat back, this wide, as a test piece. Empty: the whole part.</source>
+            <translation>Écrire seulement un carré de la face avec un dos plan, de cette largeur, comme pièce d'essai. Vide : la pièce entière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>whole part</source>
+            <translation>pièce entière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tile x</source>
+            <translation>Plaquette x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle of the tile along x.</source>
+            <translation>Milieu de la plaquette selon x.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tile y</source>
+            <translation>Plaquette y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle of the tile along y.</source>
+            <translation>Milieu de la plaquette selon y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Thinnest</source>
             <translation>Plus mince</translation>
         </message>
@@ -9351,6 +9386,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/files/export/design.py" />
+            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the lens</source>
+            <translation>{side:g} {unit} autour de ({x:g}, {y:g}) n'est pas dans la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
+            <source>{side:g} {unit} about ({x:g}, {y:g}) is not within the mirror</source>
+            <translation>{side:g} {unit} autour de ({x:g}, {y:g}) n'est pas dans le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/design.py" />
             <source>a conic front face of the designed element is not exported; a plane one</source>
             <translation>une face avant conique de l'élément conçu n'est pas exportée ; une plane</translation>
         </message>
@@ -10383,6 +10428,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/option_groups.py" />
             <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
             <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/option_groups.py" />
+            <source>{value:g}; a finite number is needed</source>
+            <translation>{value:g} ; il faut un nombre fini</translation>
         </message>
         <message>
             <location filename="../../workbench/option_groups.py" />

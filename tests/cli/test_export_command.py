@@ -1,3 +1,6 @@
+from io import BytesIO
+from zipfile import ZipFile
+
 import pytest
 import trimesh
 
@@ -38,6 +41,20 @@ def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
     assert trimesh.load_mesh(path).extents[0] == pytest.approx(width)
 
 
+def test_a_tile_is_cut_out_where_it_is_asked_for_in_meshes_alone(freeform, lens, tmp_path):
+    path, package = tmp_path / "a.obj", tmp_path / "a.zip"
+    given = "--tile-side", "0.5", "--tile-x", "0.5", "--tile-y", "-0.25"
+    status, stdout, _ = freeform("export", lens, path, package, "--tool-radius", "0.05", *given)
+    assert status == 0
+    assert stdout.splitlines()[0].endswith(", test tile, lengths in mm")
+    bounds = trimesh.load_mesh(path).bounds[:, :2].ravel().tolist()
+    assert bounds == pytest.approx([2.5, -5, 7.5, 0], abs=1e-9)
+    with ZipFile(package) as files:
+        (name,) = (each for each in files.namelist() if each.endswith(".stl"))
+        whole = trimesh.load_mesh(BytesIO(files.read(name)), file_type="stl")
+    assert whole.extents[:2] == pytest.approx([20, 20])
+
+
 @pytest.mark.parametrize(
     "arguments, reason",
     [
@@ -48,6 +65,8 @@ def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
         (["a.stl", "--chord-error", "inf"], "'inf'; a finite number is needed"),
         (["a.stl", "--mesh-unit", "feet"], "'feet'"),
         (["a.stl", "--chord-error", "1e-12"], "--chord-error: 1e-12 cm is finer than the numbers"),
+        (["a.stl", "--tile-side", "0.5", "--tile-x", "0.9"], "0.5 cm about (0.9, 0) is not within"),
+        (["a.stl", "--tile-y", "nan"], "tile_y: nan; a finite number is needed"),
         ([], "the following arguments are required: FILE"),
     ],
 )

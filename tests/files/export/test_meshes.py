@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from workbench.errors import Refused
 from workbench.files.export.meshes import write_3mf, write_glb, write_obj, write_ply, write_stl
+from workbench.files.export.options import Tile
 
 WRITERS = {
     ".stl": write_stl,
@@ -100,3 +102,32 @@ def test_stl_normals_point_outward(make_design, write):
     middle = records["corners"].mean(axis=1) - [0, 0, 0.25]  # from inside the box
     assert np.linalg.norm(records["normal"], axis=1) == pytest.approx(1, abs=1e-6)
     assert ((middle * records["normal"]).sum(axis=1) > 0).all()
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_a_tile_is_a_square_of_the_face_on_a_flat_back(make_design, write, outline):
+    design = make_design({"unit": "cm", "lens.outline": outline}, chord_error=CHORD_ERROR)
+    tile = Tile(0.6, 0.1, -0.2)
+    path, deviation = write(write_stl, replace(design, options=(tile,)), "tile.stl")
+    assert deviation.size <= CHORD_ERROR
+    mesh = trimesh.load_mesh(path)
+    assert mesh.is_volume and mesh.body_count == 1
+    low, high = mesh.bounds
+    assert low == pytest.approx([-2, -5, 10 * design.flat_z], abs=1e-4)
+    assert high[:2] == pytest.approx([4, 1], abs=1e-4)
+    top = mesh.vertices[mesh.vertices[:, 2] > low[2] + 1e-6] / 10
+    corner = top[np.argmin(top[:, 0] + top[:, 1])]
+    exact = design.surface(np.array([-0.2]), np.array([-0.5]))[0]
+    assert corner[2] == pytest.approx(float(exact[0, 0]), abs=1e-6)
+    with pytest.raises(Refused, match="is not within the lens"):
+        write(write_stl, replace(design, options=(replace(tile, tile_x=0.8),)), "out.stl")
+
+
+def test_a_tile_has_a_flat_back_where_the_other_face_is_freeform(make_design, write):
+    changes = {"version": 2, "unit": "cm", "lens.entrance": {"shape": "freeform"}}
+    design = make_design(changes, chord_error=CHORD_ERROR)
+    path, _ = write(write_obj, replace(design, options=(Tile(0.5),)), "tile.obj")
+    mesh = trimesh.load_mesh(path)
+    assert mesh.is_volume
+    bottom = mesh.vertices[:, 2] < mesh.bounds[0, 2] + 1e-6
+    assert mesh.area_faces[bottom[mesh.faces].all(axis=1)].sum() == pytest.approx(25)

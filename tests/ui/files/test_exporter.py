@@ -6,6 +6,7 @@ import re
 import threading
 
 import pytest
+import trimesh
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QInputDialog, QMessageBox
 
@@ -27,7 +28,7 @@ def export(window, path, qtbot, monkeypatch):
     qtbot.waitUntil(lambda: not window.exporter.background.busy, timeout=60_000)
 
 
-@pytest.mark.parametrize("name", ["lens.stl", "lens.dat", "lens.irradiance.npy"])
+@pytest.mark.parametrize("name", ["lens.step", "lens.dat", "lens.irradiance.npy"])
 def test_a_file_is_written_and_its_deviation_shown(window, name, tmp_path, qtbot, monkeypatch):
     path = tmp_path / name
     export(window, path, qtbot, monkeypatch)
@@ -107,6 +108,14 @@ def test_the_element_of_a_file_is_chosen_where_several_are_designed(
     assert (tmp_path / "light.irradiance.npy").exists()
 
 
+def test_a_test_tile_is_an_option_of_meshes(window, tmp_path, qtbot, monkeypatch):
+    path = tmp_path / "tile.stl"
+    answer([lambda dialog: (dialog.fields[0].enter(tile_side=0.5, tile_x=-0.2), dialog._accept())])
+    export(window, path, qtbot, monkeypatch)
+    assert trimesh.load_mesh(path).bounds[:, 0] == pytest.approx([-4.5, 0.5], abs=1e-4)
+    assert "test tile, lengths in mm" in window.messages.text
+
+
 @pytest.fixture
 def held(monkeypatch):
     """An export that goes on until it is let."""
@@ -126,11 +135,11 @@ def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held
     timer = QTimer(interval=5)
     timer.timeout.connect(lambda: ticks.append(1))
     timer.start()
-    window.exporter.export(tmp_path / "one.stl")
+    window.exporter.export(tmp_path / "one.step")
     (entry,) = window.early.shelf.entries
-    assert entry.task.title == "Export one.stl"
+    assert entry.task.title == "Export one.step"
     qtbot.waitUntil(lambda: len(ticks) > 5)
-    window.exporter.export(tmp_path / "two.stl")
+    window.exporter.export(tmp_path / "two.step")
     assert "still being written" in window.messages.text
     timer.stop()
     held.set()

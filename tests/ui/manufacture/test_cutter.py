@@ -173,7 +173,7 @@ def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings
 
 def test_other_formats_ask_for_their_options_and_keep_them(designed, window, settings):
     ask = AskOptions(window, settings)
-    assert ask(designed, format_of(Path("a.stl"))) == Chosen()
+    assert ask(designed, format_of(Path("a.step"))) == Chosen()
 
     def fill_in(dialog):
         cutting, drawing = dialog.fields

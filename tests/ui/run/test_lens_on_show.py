@@ -63,9 +63,9 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
 
 def test_a_run_can_be_exported(running, qtbot, tmp_path):
     assert running.commands["export"].isEnabled() and running.commands["report"].isEnabled()
-    running.exporter.export(tmp_path / "lens.stl")
+    running.exporter.export(tmp_path / "lens.step")
     qtbot.waitUntil(lambda: not running.exporter.background.busy, timeout=60_000)
-    assert (tmp_path / "lens.stl").stat().st_size > 0
+    assert (tmp_path / "lens.step").stat().st_size > 0
     assert "the best lens so far, after" in running.messages.text
 
 

@@ -11,7 +11,7 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.export.options import MILLIMETRES, Cutting
+from workbench.files.export.options import MILLIMETRES, Cutting, Tile
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.messages import Message
@@ -31,6 +31,7 @@ _FINE = 1e-4
 # Least number of steps of a lattice, and of each knot span: with one step a span, splines through
 # the points of a flame on 416 × 416 control points have slope errors of 1° at the rim.
 _STEPS, _IN_SPAN = 256, 2
+_ROUNDING = 1e-9  # relative, of a tile as large as the element
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +81,12 @@ class Design:
         return self.chosen(Cutting)
 
     @property
+    def tile(self) -> tuple[float, float, float] | None:
+        """Side, and x and y of the middle, of a square on a flat back; None for the whole part."""
+        tile = self.chosen(Tile)
+        return None if tile.tile_side is None else (tile.tile_side, tile.tile_x, tile.tile_y)
+
+    @property
     def material(self) -> str:
         """Material of the element, or its refractive index."""
         material = getattr(self.optic, "material", "any, with a reflecting face")
@@ -106,7 +113,9 @@ class Design:
 
     @cached_property
     def faces(self) -> tuple["Design", ...]:
-        """The element seen at each of its freeform faces, the entrance face last."""
+        """The element seen at each of its freeform faces, the entrance face last; one of a tile."""
+        if self.tile is not None:
+            return (self,)
         names = reversed(freeform_nets(self.optic))
         return tuple(replace(self, face=name) for name in names)
 
@@ -125,10 +134,39 @@ class Design:
         """Z of the flat side of the solid part, scene units."""
         return self.optic.flat_z(self.heights)
 
+    @property
+    def rectangle(self) -> tuple[Array, Array] | None:
+        """Least and largest x and y of a rectangular part, scene units; None for an ellipse.
+
+        Raise Refused if a tile is not within the outline.
+        """
+        half_width = np.array(self.optic.half_width)
+        if self.tile is None:
+            return (-half_width, half_width) if self.outline.whole else None
+        side, x, y = self.tile
+        middle, half = np.array([x, y]), side / 2
+        if not self.outline.contains(*(abs(middle) + half) / (1 + _ROUNDING)):
+            raise Refused(
+                "tile_side",
+                Message(
+                    "{side:g} {unit} about ({x:g}, {y:g}) is not within the {optic}",
+                    side=side,
+                    x=x,
+                    y=y,
+                    unit=self.unit,
+                    optic=self.optic.called,
+                ),
+            )
+        return np.maximum(middle - half, -half_width), np.minimum(middle + half, half_width)
+
     def check_flat_side(self) -> None:
         """Refuse a conic front face before the designed one, which solids do not have yet."""
         optic, front = self.optic, self.optic.placed_faces[0]
-        if len(optic.placed_faces) > 1 and not (front.face.designed or front.face.flat):
+        if (
+            self.tile is None
+            and len(optic.placed_faces) > 1
+            and not (front.face.designed or front.face.flat)
+        ):
             raise Refused(
                 self.scene.face_path(front.name),
                 Message("a conic front face of the designed element is not exported; a plane one"),

@@ -4,13 +4,14 @@ Writers are imported when they are needed: torch and OpenCASCADE import slowly.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
-from workbench.files.export.options import Cutting, Drawing, Turning
+from workbench.files.export.options import Cutting, Drawing, Tile, Turning
 from workbench.messages import Message
 from workbench.option_groups import OptionGroup
 
@@ -48,12 +49,16 @@ class Format(NamedTuple):
         module = self._load_module()
         write: Callable[[Any, BinaryIO], Deviation] = getattr(module, self.writer)
         content = (lambda design: design) if self.content is None else getattr(module, self.content)
-        return lambda design, file: write(content(design.at_front(self.front)), file)
+        return lambda design, file: write(content(self._seen(design)), file)
 
     def check_design(self, design: "Design") -> None:
         """Raise Refused if the options of a design cannot be written."""
         if self.check is not None:
-            getattr(self._load_module(), self.check)(design.at_front(self.front))
+            getattr(self._load_module(), self.check)(self._seen(design))
+
+    def _seen(self, design: "Design") -> "Design":
+        options = tuple(each for each in design.options if type(each) in self.options)
+        return replace(design.at_front(self.front), options=options)
 
     def _load_module(self) -> ModuleType:
         return import_module(self.module if "." in self.module else f"{__package__}.{self.module}")
@@ -100,11 +105,11 @@ FORMATS = (
         of_element=False,
     ),
     Format((".iges", ".igs"), "IGES solid", "iges", "write_iges"),
-    Format((".stl",), "STL mesh", "meshes", "write_stl", takes_unit=True),
-    Format((".obj",), "OBJ mesh", "meshes", "write_obj", takes_unit=True),
-    Format((".ply",), "PLY mesh", "meshes", "write_ply", takes_unit=True),
-    Format((".3mf",), "3MF mesh", "meshes", "write_3mf", takes_unit=True),
-    Format((".glb",), "glTF mesh", "meshes", "write_glb"),
+    Format((".stl",), "STL mesh", "meshes", "write_stl", takes_unit=True, options=(Tile,)),
+    Format((".obj",), "OBJ mesh", "meshes", "write_obj", takes_unit=True, options=(Tile,)),
+    Format((".ply",), "PLY mesh", "meshes", "write_ply", takes_unit=True, options=(Tile,)),
+    Format((".3mf",), "3MF mesh", "meshes", "write_3mf", takes_unit=True, options=(Tile,)),
+    Format((".glb",), "glTF mesh", "meshes", "write_glb", options=(Tile,)),
     Format(
         (".zip",),
         "package for a shop",

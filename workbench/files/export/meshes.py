@@ -66,7 +66,7 @@ def write_obj(design: Design, file: BinaryIO) -> Deviation:
     file.write(f"# freeform lens, unit {design.mesh_unit}\n".encode())
     file.writelines(f"v {x!r} {y!r} {z!r}\n".encode() for x, y, z in body.vertices.tolist())
     file.writelines(f"f {a} {b} {c}\n".encode() for a, b, c in (body.triangles + 1).tolist())
-    return face.deviation(design)
+    return face.deviation(design, design.mesh_unit)
 
 
 def write_ply(design: Design, file: BinaryIO) -> Deviation:
@@ -82,7 +82,7 @@ def write_ply(design: Design, file: BinaryIO) -> Deviation:
     file.write(header.encode())
     file.write(body.vertices.astype("<f8").tobytes())
     file.write(faces.tobytes())
-    return face.deviation(design)
+    return face.deviation(design, design.mesh_unit)
 
 
 def write_stl(design: Design, file: BinaryIO) -> Deviation:
@@ -100,7 +100,7 @@ def write_stl(design: Design, file: BinaryIO) -> Deviation:
     file.write(f"freeform lens, unit {design.mesh_unit}".encode().ljust(80))
     file.write(np.uint32(len(records)).astype("<u4").tobytes())
     file.write(records.tobytes())
-    return face.deviation(design)
+    return face.deviation(design, design.mesh_unit)
 
 
 def write_3mf(design: Design, file: BinaryIO) -> Deviation:
@@ -125,7 +125,7 @@ def write_3mf(design: Design, file: BinaryIO) -> Deviation:
                 for a, b, c in body.triangles.tolist()
             )
             model.write(_END.encode())
-    return face.deviation(design)
+    return face.deviation(design, design.mesh_unit)
 
 
 def zip_entry(name: str) -> ZipInfo:
@@ -153,7 +153,7 @@ def write_glb(design: Design, file: BinaryIO) -> Deviation:
     file.write(struct.pack("<I4s", len(data), b"JSON") + data)
     file.write(struct.pack("<I4s", len(vertices) + len(triangles), b"BIN\0"))
     file.write(vertices + triangles)
-    return Deviation("chord error", face.chord_error(design), design.unit, "lengths in m")
+    return face.deviation(design, "m")
 
 
 def _gltf_scene(

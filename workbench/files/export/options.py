@@ -3,6 +3,7 @@
 The command line imports this module for each command, so it imports nothing slow.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
@@ -244,7 +245,23 @@ class Drawing(OptionGroup):
     )
 
 
-GROUPS: tuple[type[OptionGroup], ...] = (Cutting, Turning, Drawing)
+@dataclass(frozen=True)
+class Tile(OptionGroup):
+    """A square of a face on a flat back, as a test piece; lengths in scene units."""
+
+    called: ClassVar[str] = "test tile"
+
+    tile_side: float | None = _length(
+        "Tile side",
+        "Write only a square of the face on a flat back, this wide, as a test piece. Empty: the "
+        "whole part.",
+        empty="whole part",
+    )
+    tile_x: float = _length("Tile x", "Middle of the tile along x.", 0.0, least=-math.inf)
+    tile_y: float = _length("Tile y", "Middle of the tile along y.", 0.0, least=-math.inf)
+
+
+GROUPS: tuple[type[OptionGroup], ...] = (Cutting, Turning, Drawing, Tile)
 """All groups of options."""
 
 

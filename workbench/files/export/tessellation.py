@@ -20,6 +20,7 @@ Indices = npt.NDArray[np.int64]
 _MOST_CELLS = 4_000_000
 # Parts of each cell's sides, at whose ends the chord error is sampled.
 _PARTS = 4
+_SLIVER = 1e-5  # of the width: thinner cells would have no area in single precision
 
 
 class TriangleBody(NamedTuple):
@@ -70,13 +71,20 @@ class Tessellation(NamedTuple):
                 ),
             )
         allowed = largest - rounding
-        if not design.outline.whole:
+        rectangle = design.rectangle
+        if rectangle is None:
             return cls._mapped(design, allowed)
         strips = [_strips(design, axis, allowed) for axis in (0, 1)]
-        _check_cells(math.prod(float(steps.sum()) for _, steps in strips), design)
+        parts = (rectangle[1] - rectangle[0]) / (2 * np.array(design.optic.half_width))
+        _check_cells(
+            math.prod(part * float(s.sum()) for part, (_, s) in zip(parts, strips, strict=True)),
+            design,
+        )
         x, y = (
-            (2 * _divided(ends, steps.astype(int)) - 1) * r
-            for (ends, steps), r in zip(strips, design.optic.half_width, strict=True)
+            _between((2 * _divided(ends, steps.astype(int)) - 1) * r, low, high)
+            for (ends, steps), r, low, high in zip(
+                strips, design.optic.half_width, *rectangle, strict=True
+            )
         )
         z, *other = (face.surface(x, y)[0] for face in design.faces)
         return cls(x[:, None], y[None, :], z, _other(design, other))
@@ -109,10 +117,11 @@ class Tessellation(NamedTuple):
         """The tessellation as single precision keeps it after scaling."""
         return Tessellation(*((scale * c).astype(np.float32) / np.float64(scale) for c in self))
 
-    def deviation(self, design: Design) -> Deviation:
-        """Measured chord error, with the unit of meshes as a note."""
+    def deviation(self, design: Design, mesh_unit: str) -> Deviation:
+        """Measured chord error, with the tile and the unit of lengths in the file as a note."""
+        part = "" if design.tile is None else "test tile, "
         return Deviation(
-            "chord error", self.chord_error(design), design.unit, f"lengths in {design.mesh_unit}"
+            "chord error", self.chord_error(design), design.unit, f"{part}lengths in {mesh_unit}"
         )
 
     def body(self, scale: float = 1.0) -> TriangleBody:
@@ -144,11 +153,8 @@ class Tessellation(NamedTuple):
 
     def chord_error(self, design: Design) -> float:
         """Largest distance, along z, between triangles and faces, on a grid in each cell."""
-        whole = design.outline.whole
-        return max(
-            self._error_of_rectangles(face, z) if whole else self._error_of_mapped(face, z)
-            for face, z in zip(design.faces, self._freeform(), strict=True)
-        )
+        error = self._error_of_mapped if design.rectangle is None else self._error_of_rectangles
+        return max(error(face, z) for face, z in zip(design.faces, self._freeform(), strict=True))
 
     def _freeform(self) -> Iterator[Array]:
         yield self.z
@@ -251,6 +257,13 @@ def _divided(ends: Array, steps: npt.NDArray[np.int_]) -> Array:
         for (low, high), k in zip(pairwise(ends), steps, strict=True)
     ]
     return np.concatenate([*parts, ends[-1:]])
+
+
+def _between(places: Array, low: float, high: float) -> Array:
+    """Places of a part, with its ends but without slivers beside them."""
+    sliver = _SLIVER * (high - low)
+    inner = places[(places > low + sliver) & (places < high - sliver)]
+    return np.concatenate([[low], inner, [high]])
 
 
 def _subdivided(places: Array) -> Array:
