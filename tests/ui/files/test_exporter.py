@@ -39,7 +39,7 @@ def test_a_file_is_written_and_its_deviation_shown(window, name, tmp_path, qtbot
     assert window.log.toPlainText().endswith(received)
 
 
-@pytest.mark.parametrize("name", ["lens.docx", "no/lens.stl"])
+@pytest.mark.parametrize("name", ["lens.docx", "no/lens.step"])
 def test_a_file_that_cannot_be_written_is_reported(window, name, tmp_path, qtbot, monkeypatch):
     export(window, tmp_path / name, qtbot, monkeypatch)
     assert str(tmp_path / name.split("/")[0]) in window.messages.text
