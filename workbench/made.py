@@ -66,6 +66,7 @@ def plan(
     wanted: float | None = None,
     ball_radius: float | None = None,
     rates: "ShopRates | None" = None,
+    rays: int = 1_000_000,
 ) -> "ShopPlans":
     """Plans to mill and polish a lens, the one that takes the least time first.
 
@@ -79,6 +80,8 @@ def plan(
         Of the cutter, scene units; by default one that fits.
     rates : ShopRates, optional
         What times are computed with.
+    rays : int
+        Each check has at most four times as many.
 
     Raises
     ------
@@ -92,7 +95,7 @@ def plan(
     >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
     >>> for snapshot in run:
     ...     pass
-    >>> cheapest, *_ = plan(run.session, wanted=1.0).plans
+    >>> cheapest, *_ = plan(run.session, wanted=1.0, rays=50_000).plans
     >>> cheapest.processes[0].kind, cheapest.minutes > 0
     ('milling', True)
     """
@@ -100,7 +103,7 @@ def plan(
 
     scene, heights = session.scene, result_of(session).state.heights
     ball = ball_radius or fitting_ball(scene, heights)
-    return finished(planning(scene, session.target, heights, ball, wanted, rates))
+    return finished(planning(scene, session.target, heights, ball, wanted, rates, rays))
 
 
 def expected_error(session: Session) -> "ExpectedError":

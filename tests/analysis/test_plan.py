@@ -22,6 +22,7 @@ def plate():
     return scene, target, last.state.heights
 
 
+@pytest.mark.full
 def test_the_check_finds_what_the_cheapest_plan_promises(plate):
     scene, target, heights = plate
     found = finished(planning(scene, target, heights, 0.1, 0.05, rays=200_000))

@@ -2,9 +2,12 @@
 
 import json
 
+import pytest
+
 from workbench.files.session import read_session
 
 
+@pytest.mark.full
 def test_the_written_session_is_made_by_the_cheapest_plan(tmp_path, lens, freeform):
     output = tmp_path / "made.freeform"
     status, printed, _ = freeform("plan", lens, "--error", "90", "-o", output, "--json")

@@ -44,7 +44,7 @@ def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
 def test_options_of_formats_are_listed_by_themselves(help_of):
     lines = help_of("export", "--options").splitlines()
     groups = [line for line in lines if line and not line.startswith(" ")]
-    assert groups == ["G-code:", "slow tool servo:", "drawing:"]
+    assert groups == ["G-code:", "slow tool servo:", "drawing:", "test tile:"]
     flags = {line.split()[0] for line in lines if line.startswith("  --")}
     assert {"--dialect", "--coolant", "--nose-radius", "--form-tolerance"} <= flags
     assert max(map(len, lines)) <= 80

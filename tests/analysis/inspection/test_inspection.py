@@ -258,6 +258,7 @@ def warped(x, y):
     return 3 * form(x, y)
 
 
+@pytest.mark.full
 def test_a_corrected_second_part_is_as_good_as_the_design(designed):
     heights = designed.heights[FACE]
     face = DesignedFace.of(designed.scene, heights, FACE)
