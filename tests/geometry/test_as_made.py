@@ -146,3 +146,10 @@ def test_grooves_have_the_slopes_of_the_swept_ball(make_scene, rng, shape):
     one, other, first, second = (image / image.sum() for image in images)
     square = ((one - first) * (other - second)).sum() / (first * second).sum()
     assert square < 0.01**2 + 3 * 2e-4  # three times the scatter of the product
+
+
+def test_elements_that_are_not_designed_are_ideal(make_scene):
+    scene = make_scene({})
+    scene = Scene.from_data(scene.to_data() | {"processes": [polishing(0.05)]})
+    plain = scene.with_element(0, scene.elements[0].undesigned)
+    assert not AsMade.of(plain).faces

@@ -64,9 +64,10 @@ class AsMade(NamedTuple):
         them. Waves of an error that the net does not hold are relief.
         """
         making, ideal = Making.of(scene.processes), scene.ideal
-        if not scene.processes:
+        nets = nets_of(scene) if scene.processes else {}
+        if not nets:
             return cls(ideal, (), {})
-        faces, nets = {}, nets_of(scene)
+        faces = {}
         shortest = _LONG / max(max(net.spacing) for net in nets.values())
         parts = [(error.split(shortest), width) for error, width in making.errors]
         reliefs = (*making.reliefs, *((short, width) for (_, short), width in parts))
