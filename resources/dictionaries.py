@@ -23,6 +23,7 @@ from ui.commands.actions import MENUS
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.snapshot import ENDINGS, FAILED
@@ -99,7 +100,7 @@ def _of_engine() -> Iterator[str]:
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
-    groups: tuple[type[OptionGroup], ...] = *GROUPS, Limits
+    groups: tuple[type[OptionGroup], ...] = *GROUPS, Limits, PlanOptions
     for _, option in (each for group in groups for each in group.about()):
         yield from (option.title, option.tip, option.empty, *_worded(option.choices.values()))
     for tolerance in ABOUT.values():

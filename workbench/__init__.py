@@ -14,6 +14,7 @@ __all__ = [
     "Drawing",
     "FaceArrays",
     "Inspection",
+    "PlanOptions",
     "Refused",
     "Result",
     "RunFailed",

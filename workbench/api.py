@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING
 
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.inspection.inspection import Inspection
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
@@ -52,6 +53,7 @@ __all__ = [
     "Drawing",
     "FaceArrays",
     "Inspection",
+    "PlanOptions",
     "Refused",
     "Result",
     "RunFailed",

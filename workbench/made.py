@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.inspection.inspection import Inspection, Units, corrected_session, inspected
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.validation import validate
 from workbench.design.session import Session, result_of
 from workbench.measured.surfaces import read_surface
@@ -19,7 +20,7 @@ from workbench.reading import opened
 if TYPE_CHECKING:
     from workbench.analysis.making.as_made import MadeStep
     from workbench.analysis.making.photograph import Corner, Photograph
-    from workbench.analysis.making.plan import ShopPlans, ShopRates
+    from workbench.analysis.making.plan import ShopPlans
     from workbench.analysis.making.robust import ExpectedError
     from workbench.arrays import Array
     from workbench.measured.surfaces import PictureScale
@@ -62,11 +63,7 @@ def as_made(session: Session, rays: int = 1_000_000) -> "tuple[MadeStep, ...]":
 
 
 def plan(
-    session: Session,
-    wanted: float | None = None,
-    ball_radius: float | None = None,
-    rates: "ShopRates | None" = None,
-    rays: int = 1_000_000,
+    session: Session, options: PlanOptions | None = None, rays: int = 1_000_000
 ) -> "ShopPlans":
     """Plans to mill and polish a lens, the one that takes the least time first.
 
@@ -74,12 +71,8 @@ def plan(
     ----------
     session : Session
         A session with a lens.
-    wanted : float, optional
-        Relative L2 error as made, by default 1.1 times that as designed.
-    ball_radius : float, optional
-        Of the cutter, scene units; by default one that fits.
-    rates : ShopRates, optional
-        What times are computed with.
+    options : PlanOptions, optional
+        Wanted error as made, cutter, and what times are computed with.
     rays : int
         Each check has at most four times as many.
 
@@ -91,19 +84,18 @@ def plan(
     Examples
     --------
     >>> from resources import path
-    >>> from workbench import DesignRun, load
+    >>> from workbench import DesignRun, PlanOptions, load
     >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
     >>> for snapshot in run:
     ...     pass
-    >>> cheapest, *_ = plan(run.session, wanted=1.0, rays=50_000).plans
+    >>> cheapest, *_ = plan(run.session, PlanOptions(error=100), rays=50_000).plans
     >>> cheapest.processes[0].kind, cheapest.minutes > 0
     ('milling', True)
     """
-    from workbench.analysis.making.plan import fitting_ball, planning  # late: it loads torch
+    from workbench.analysis.making.plan import planning  # late: it loads torch
 
-    scene, heights = session.scene, result_of(session).state.heights
-    ball = ball_radius or fitting_ball(scene, heights)
-    return finished(planning(scene, session.target, heights, ball, wanted, rates, rays))
+    heights = result_of(session).state.heights
+    return finished(planning(session.scene, session.target, heights, options, rays))
 
 
 def expected_error(session: Session) -> "ExpectedError":

@@ -12,8 +12,10 @@ from typing import Any, ClassVar, Self
 from workbench.errors import Refused, shown
 from workbench.messages import Message
 
-LENGTH, DEGREES = "length", "degrees"
+LENGTH, DEGREES, PERCENT = "length", "degrees", "percent"
 """Units of options; a length is in the scene's unit."""
+FEED, MINUTES = "mm/min", "min"
+"""Units of options of machines."""
 
 
 @dataclass(frozen=True)

@@ -2465,36 +2465,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>1.1 times the error as designed</source>
-            <translation>1,1-facher Fehler wie entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>one that fits</source>
-            <translation>eine passende</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source> min</source>
-            <translation> min</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Wanted error as made</source>
-            <translation>Gewünschter Fehler nach Fertigung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Ball radius</source>
-            <translation>Kugelradius</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Time to polish 1 cm² over 0.1 mm</source>
-            <translation>Zeit, um 1 cm² über 0,1 mm zu polieren</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
             <source>Result of the search</source>
             <translation>Ergebnis der Suche</translation>
         </message>
@@ -6776,6 +6746,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Ball radius</source>
+            <translation>Kugelradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Radius of the ball cutter.</source>
             <translation>Radius des Kugelfräsers.</translation>
         </message>
@@ -8123,6 +8098,41 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
             <translation>Radius des Kugelfräsers, der überall auf der Fläche passen muss. Eine größere Kugel lässt Material in Mulden stehen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wanted error as made</source>
+            <translation>Gewünschter Fehler nach Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Relative L2 error of the image as made. Empty: 1.1 times the error as designed.</source>
+            <translation>Relativer L2-Fehler des Bildes nach der Fertigung. Leer: 1,1-facher Fehler wie entworfen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>1.1 times as designed</source>
+            <translation>1,1-fach wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter. Empty: one that fits everywhere.</source>
+            <translation>Radius des Kugelfräsers. Leer: einer, der überall passt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>one that fits</source>
+            <translation>eine passende</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polish time</source>
+            <translation>Polierzeit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Time to polish 1 cm² over a width of 0.1 mm, which grows with the square of the width. The default is an assumption.</source>
+            <translation>Zeit, um 1 cm² über eine Breite von 0,1 mm zu polieren; sie wächst mit dem Quadrat der Breite. Der Standardwert ist eine Annahme.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -2465,36 +2465,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>1.1 times the error as designed</source>
-            <translation>1,1 fois l'erreur telle que conçue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>one that fits</source>
-            <translation>une qui convient</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source> min</source>
-            <translation> min</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Wanted error as made</source>
-            <translation>Erreur voulue après fabrication</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Ball radius</source>
-            <translation>Rayon de la fraise</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
-            <source>Time to polish 1 cm² over 0.1 mm</source>
-            <translation>Temps pour polir 1 cm² sur 0,1 mm</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
             <source>Result of the search</source>
             <translation>Résultat de la recherche</translation>
         </message>
@@ -6776,6 +6746,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Ball radius</source>
+            <translation>Rayon de la fraise</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Radius of the ball cutter.</source>
             <translation>Rayon de la fraise boule.</translation>
         </message>
@@ -8123,6 +8098,41 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves material in hollows</source>
             <translation>Rayon de la fraise boule qui doit passer partout sur la face. Une boule plus grande laisse de la matière dans les creux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wanted error as made</source>
+            <translation>Erreur voulue après fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Relative L2 error of the image as made. Empty: 1.1 times the error as designed.</source>
+            <translation>Erreur L2 relative de l'image après fabrication. Vide : 1,1 fois l'erreur telle que conçue.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>1.1 times as designed</source>
+            <translation>1,1 fois telle que conçue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter. Empty: one that fits everywhere.</source>
+            <translation>Rayon de la fraise boule. Vide : une qui convient partout.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>one that fits</source>
+            <translation>une qui convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polish time</source>
+            <translation>Temps de polissage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Time to polish 1 cm² over a width of 0.1 mm, which grows with the square of the width. The default is an assumption.</source>
+            <translation>Temps pour polir 1 cm² sur une largeur de 0,1 mm ; il croît avec le carré de la largeur. La valeur par défaut est une hypothèse.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -5,7 +5,8 @@ import pytest
 
 from tests.scenes import changed
 from workbench.analysis.making.as_made import tracing_made
-from workbench.analysis.making.plan import ShopRates, fitting_ball, planning
+from workbench.analysis.making.plan import fitting_ball, planning
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.progress import finished
@@ -25,7 +26,8 @@ def plate():
 @pytest.mark.full
 def test_the_check_finds_what_the_cheapest_plan_promises(plate):
     scene, target, heights = plate
-    found = finished(planning(scene, target, heights, 0.1, 0.05, rays=200_000))
+    options = PlanOptions(error=5, ball=0.1)
+    found = finished(planning(scene, target, heights, options, rays=200_000))
     minutes = [plan.minutes for plan in found.plans]
     assert minutes == sorted(minutes)
     plan = found.plans[0]
@@ -39,10 +41,8 @@ def test_the_check_finds_what_the_cheapest_plan_promises(plate):
 def test_polishing_pays_where_it_is_cheap(plate):
     scene, target, heights = plate
     cheap, dear = (
-        finished(
-            planning(scene, target, heights, 0.1, 0.05, ShopRates(polishing=rate), rays=200_000)
-        ).plans[0]
-        for rate in (1e-6, 1e6)
+        finished(planning(scene, target, heights, options, rays=200_000)).plans[0]
+        for options in (PlanOptions(error=5, ball=0.1, polish_time=t) for t in (1e-6, 1e6))
     )
     assert cheap.polishing is not None
     assert dear.polishing is None or dear.polishing.width < cheap.polishing.width
@@ -54,7 +54,7 @@ def test_what_cannot_be_reached_is_refused_with_what_can_be(plate):
     with pytest.raises(
         Refused, match=r"error: 0\.01 % as made is not reached .* more than [\d.]+ % may be"
     ):
-        finished(planning(scene, target, heights, 0.1, wanted=1e-4))
+        finished(planning(scene, target, heights, PlanOptions(error=0.01, ball=0.1)))
 
 
 def test_the_ball_fits(plate):

@@ -23,14 +23,13 @@ from ui.panels.rows import value_row
 from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.errors import Refused
-from workbench.files.export.options import FEED
-from workbench.option_groups import DEGREES, LENGTH, Option, OptionGroup
+from workbench.option_groups import DEGREES, FEED, LENGTH, PERCENT, Option, OptionGroup
 from workbench.scene import LENGTH as OF_SCENE
 from workbench.scene import Measure
 from workbench.scene.fields import ANGLE, Choices, LeftOut
 
 Group = TypeVar("Group", bound=OptionGroup)
-_MEASURES = {LENGTH: OF_SCENE, DEGREES: ANGLE}
+_MEASURES = {LENGTH: OF_SCENE, DEGREES: ANGLE, PERCENT: Measure("%", "percent")}
 _COLUMN, _LETTERS = 12, 46  # rows of a column, and letters across it
 
 

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
-    QFormLayout,
     QVBoxLayout,
     QWidget,
 )
 
 from ui.background import Background, Task
+from ui.manufacture.option_fields import OptionFields
 from ui.panels.edits import Edit
 from ui.widgets.controls import Table, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -30,7 +30,6 @@ _ABOUT = later(
     "reach the wanted error; the first takes the least time and is verified by random rays."
 )
 _ROWS = 12  # lines of text that the table is at least high
-_POLISHING = 0.2  # minutes for each cm² and 0.1 mm, as `ShopRates` assumes
 
 
 class PlanDialog(QDialog):
@@ -43,16 +42,8 @@ class PlanDialog(QDialog):
         self.setWindowTitle(tr("Plan milling and polishing"))
         self._session, self._choose = session, choose
         self._plans: tuple[ShopPlan, ...] = ()
-        unit = session.scene.unit
-        self.error = self._number(0.0, 100.0, 0.1, " %", tr("1.1 times the error as designed"))
-        self.radius = self._number(0.0, 1e6, 0.1, f" {unit}", tr("one that fits"))
-        self.polishing = self._number(0.0, 1e3, 0.1, tr(" min"), "")
-        self.polishing.setMinimum(0.01)
-        self.polishing.setValue(_POLISHING)
-        form = QFormLayout()
-        form.addRow(tr("Wanted error as made"), self.error)
-        form.addRow(tr("Ball radius"), self.radius)
-        form.addRow(tr("Time to polish 1 cm² over 0.1 mm"), self.polishing)
+        self.fields = OptionFields(session.scene.unit, PlanOptions())
+        self.fields.changed.connect(self._allow)
         self.state = WrappedLabel()
         self.state.setAccessibleName(tr("Result of the search"))
         self.table = Table(tr("Plans"), len(_COLUMNS))
@@ -66,7 +57,14 @@ class PlanDialog(QDialog):
         self.again.clicked.connect(self.search)
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), WrappedLabel(tr(_ABOUT)), form, self.state, self.table, buttons)
+        filled(
+            QVBoxLayout(self),
+            WrappedLabel(tr(_ABOUT)),
+            self.fields,
+            self.state,
+            self.table,
+            buttons,
+        )
         self.resize(72 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
         self.background = Background(later("search for plans"), self)
         self.background.progressed.connect(self._show_progress)
@@ -75,22 +73,10 @@ class PlanDialog(QDialog):
         self.finished.connect(self.background.close)
         self.search()
 
-    def _number(
-        self, least: float, most: float, step: float, suffix: str, empty: str
-    ) -> QDoubleSpinBox:
-        field = QDoubleSpinBox()
-        field.setRange(least, most)
-        field.setSingleStep(step)
-        field.setDecimals(3)
-        field.setSuffix(suffix)
-        field.setSpecialValueText(empty)  # for the least value
-        return field
-
     def search(self) -> None:
         self._show_plans(())
         self._show_progress(None, 0.0)
-        asked = self.error.value() / 100, self.radius.value(), self.polishing.value()
-        self.background.begin(partial(_plans, self._session, *asked))
+        self.background.begin(partial(_plans, self._session, self.fields.options))
 
     def _show_progress(self, _: object, done: float) -> None:
         self.state.setText(tr("Comparing plans: {percent} %").format(percent=round(100 * done)))
@@ -126,6 +112,7 @@ class PlanDialog(QDialog):
         self._allow()
 
     def _allow(self) -> None:
+        self.again.setEnabled(not self.fields.refused)
         self.use.setEnabled(bool(self._plans) and self.table.currentRow() >= 0)
 
     def _accept(self) -> None:
@@ -135,14 +122,10 @@ class PlanDialog(QDialog):
         self.accept()
 
 
-def _plans(
-    session: "Session", error: float, radius: float, polishing: float, task: Task
-) -> "ShopPlans | None":
-    from workbench.analysis.making.plan import ShopRates, fitting_ball, planning  # slow import
+def _plans(session: "Session", options: PlanOptions, task: Task) -> "ShopPlans | None":
+    from workbench.analysis.making.plan import planning  # slow import
     from workbench.design.session import result_of
 
     heights = result_of(session).state.heights
-    ball = radius or fitting_ball(session.scene, heights)
-    rates = ShopRates(polishing=polishing)
-    steps = planning(session.scene, session.target, heights, ball, error or None, rates)
+    steps = planning(session.scene, session.target, heights, options)
     return task.follow(steps, task.report)

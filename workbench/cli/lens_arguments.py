@@ -8,6 +8,7 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.shop_limits import Limits
 from workbench.cli.parser import (
     add_hidden_options,
@@ -22,14 +23,13 @@ from workbench.cli.parser import (
     distances,
     length,
     place,
-    positive,
     rays,
     stops,
     tolerances_of,
 )
 from workbench.errors import Refused
 from workbench.files.export.formats import ENDINGS
-from workbench.files.export.options import GROUPS, MESH_UNITS, MILLIMETRES, PLAIN
+from workbench.files.export.options import GROUPS, MESH_UNITS, MILLIMETRES
 
 _ENTRANCE = ".entrance"
 LIGHTS = ("daylight", "led", "equal")
@@ -158,25 +158,7 @@ def add_plan(commands: Any) -> None:
         _run_plan,
     )
     add_session(parser)
-    parser.add_argument(
-        "--error",
-        metavar="PERCENT",
-        type=positive,
-        help="wanted error as made [1.1 times that as designed]",
-    )
-    parser.add_argument(
-        "--ball", metavar="LENGTH", type=length, help="radius of the ball cutter [one that fits]"
-    )
-    parser.add_argument(
-        "--feed", metavar="MM/MIN", type=positive, default=PLAIN.feed, help="default %(default)s"
-    )
-    parser.add_argument(
-        "--polish-time",
-        metavar="MIN",
-        type=positive,
-        default=0.2,
-        help="minutes for each cm² to polish over 0.1 mm; default %(default)s, an assumption",
-    )
+    add_options(parser, PlanOptions)
     parser.add_output(
         "-o",
         dest="output",
@@ -187,12 +169,9 @@ def add_plan(commands: Any) -> None:
 
 
 def _run_plan(options: argparse.Namespace) -> None:
-    from workbench.analysis.making.plan import ShopRates
     from workbench.cli.plan import plan
 
-    wanted = None if options.error is None else options.error / 100
-    rates = ShopRates(options.feed, options.polish_time)
-    plan(options.session, options.ball, wanted, rates, options.output, options.json)
+    plan(options.session, PlanOptions.of(vars(options)), options.output, options.json)
 
 
 def add_photograph(commands: Any) -> None:

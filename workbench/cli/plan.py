@@ -5,7 +5,8 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from workbench.analysis.making.plan import ShopPlan, ShopRates, fitting_ball, planning
+from workbench.analysis.making.plan import ShopPlan, planning
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.cli.output import PartProgress
 from workbench.design.run import Evaluator
 from workbench.design.session import Session, result_of
@@ -15,14 +16,7 @@ from workbench.powers import written
 from workbench.progress import finished
 
 
-def plan(
-    path: Path,
-    ball: float | None,
-    wanted: float | None,
-    rates: ShopRates,
-    output: Path | None,
-    as_json: bool,
-) -> None:
+def plan(path: Path, options: PlanOptions, output: Path | None, as_json: bool) -> None:
     """Print plans for the lens of a session, the cheapest first, and write it as made by that.
 
     Raise Refused if the session has no lens, no plan reaches the wanted error, or the output cannot
@@ -32,9 +26,8 @@ def plan(
     heights = result_of(session, str(path)).state.heights
     if output is not None:
         check_writable(output)
-    radius = ball or fitting_ball(session.scene, heights)
     with closing(PartProgress("plan")) as progress:
-        steps = planning(session.scene, session.target, heights, radius, wanted, rates)
+        steps = planning(session.scene, session.target, heights, options)
         found = finished(steps, progress.show)
     if as_json:
         data = {"unit": session.scene.unit, "designed": found.designed, "wanted": found.wanted}
@@ -42,7 +35,7 @@ def plan(
     else:
         unit = session.scene.unit
         print(f"error as designed {100 * found.designed:.2f} %, wanted {100 * found.wanted:.2f} %")
-        print(f"ball radius       {written(radius, unit)}")
+        print(f"ball radius       {written(found.plans[0].milling.ball_radius, unit)}")
         print(f"\n{'step-over':<14}{'scallop':<14}{'polish over':<14}{'error as made':<16}minutes")
         for each in found.plans:
             _print(each, unit)

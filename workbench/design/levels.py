@@ -190,6 +190,11 @@ def finest_image(
     return _expected(fine_level(scene), scene, target, heights, mirrored)
 
 
+def finest_image_of(image: WantedImage, heights: Mapping[str, Tensor]) -> WideImage:
+    """The same for one image of a task, without uncertainty."""
+    return _image_of(fine_level(image.scene), image, heights, (False, False))
+
+
 def judging_image(
     scene: Scene,
     target: Array,

@@ -16,7 +16,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -180,6 +180,11 @@ class CutFace:
     net: ControlNet
     heights: Array
     outline: Outline
+
+    @classmethod
+    def lying(cls, net: ControlNet, heights: Array, outline: Outline, up: int) -> Self:
+        """A face as it lies below the cutter: turned over about y unless it looks up."""
+        return cls(net, heights if up > 0 else -heights[::-1], outline)
 
     @cached_property
     def _pieces(self) -> Pieces:

@@ -24,7 +24,7 @@ def searched(qtbot, dialog):
 
 
 def test_the_cheapest_plan_becomes_the_processes_of_the_scene(dialog, qtbot, chosen):
-    dialog.error.setValue(95.0)
+    dialog.fields.enter(error=95.0)
     dialog.search()
     assert not dialog.use.isEnabled()
     searched(qtbot, dialog)
@@ -36,7 +36,7 @@ def test_the_cheapest_plan_becomes_the_processes_of_the_scene(dialog, qtbot, cho
 
 
 def test_what_cannot_be_reached_is_said(dialog, qtbot):
-    dialog.error.setValue(0.001)
+    dialog.fields.enter(error=0.001)
     dialog.search()
     searched(qtbot, dialog)
     assert "is not reached by milling and polishing" in dialog.state.text()

@@ -7,16 +7,15 @@ the time of both decides.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
 
 import torch
 
+from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.scatter import CorrectedDistance, tracing_independently
 from workbench.arrays import Array
-from workbench.design.images import WideImage
-from workbench.design.levels import finest_image
+from workbench.design.levels import finest_image_of
 from workbench.errors import Refused
 from workbench.extended.blurring import convolved_in_place
 from workbench.extended.relief_blur import ReliefBlurs
@@ -27,7 +26,7 @@ from workbench.geometry.surface import freeform_nets, nets_of
 from workbench.messages import Message
 from workbench.optics.plan import tensors_of
 from workbench.progress import Steps, within
-from workbench.scene import Scene
+from workbench.scene import Scene, WantedImage
 from workbench.scene.making.milling import Milling
 from workbench.scene.making.polishing import Polishing
 from workbench.scene.making.process import Process
@@ -43,16 +42,6 @@ _ATTEMPTS, _ACCURACY, _SHRINKING = 4, 2e-3, 0.7
 _PREPARED, _CHECKED = 0.4, 0.12
 _MOST_STEP = 0.5  # step-over over the radius of the ball
 _TURN = 1.0  # seconds from one pass to the next
-
-
-@dataclass(frozen=True)
-class ShopRates:
-    """What times of a plan are computed with."""
-
-    feed: float = 600.0  # mm/min of the finishing cut, as that of exports
-    # Minutes for each cm² to polish over a width of 0.1 mm; the time grows with the square of the
-    # width. No measured figure: enter that of the shop.
-    polishing: float = 0.2
 
 
 class ShopPlan(NamedTuple):
@@ -95,50 +84,45 @@ class ShopPlans(NamedTuple):
 
 def fitting_ball(scene: Scene, heights: Mapping[str, Array]) -> float:
     """Radius of a ball cutter that fits all designed faces, scene units."""
-    radii = []
-    for element in scene.optics:
-        for face, net in freeform_nets(element).items():
-            up = element.outwards(face) > 0  # else the face is turned over about y
-            seen = heights[face] if up else -heights[face][::-1]
-            radii.append(CutFace(net, seen, outline_of(element)).default_radius)
-    return min(radii)
+    return min(
+        CutFace.lying(net, heights[face], outline_of(each), each.outwards(face)).default_radius
+        for each in scene.optics
+        for face, net in freeform_nets(each).items()
+    )
 
 
 def planning(
     scene: Scene,
     target: Array,
     heights: Mapping[str, Array],
-    ball_radius: float,
-    wanted: float | None = None,
-    rates: ShopRates | None = None,
+    options: PlanOptions | None = None,
     rays: int = 1_000_000,
 ) -> Steps[ShopPlans]:
     """Find plans in steps, the cheapest for each width of polishing.
 
-    `ball_radius`: of a cutter that fits everywhere, scene units; a larger one leaves lower slopes;
-    `wanted`: relative L2 error as made of the first image, by default 1.1 times that as designed;
-    `rays`: each check has at most four times as many.
-    Raises `Refused` if no plan reaches it.
+    `options`: wanted error of the first image, cutter and times; `rays`: each check has at most
+    four times as many. Raises `Refused` if no plan reaches the wanted error.
     """
-    first, *_ = scene.ideal.single
-    rates = rates or ShopRates()
+    options = options or PlanOptions()
+    radius = options.ball or fitting_ball(scene, heights)
+    first, wanted, _ = scene.ideal.wanted(target)[0]
     spacing = max(max(net.spacing) for net in nets_of(scene).values())
     smoothed = []
     for number, part in enumerate(_WIDTHS):
-        smoothed.append(_Smoothed(first, target, heights, part * spacing))
+        smoothed.append(_Smoothed(first, wanted, heights, part * spacing))
         yield _PREPARED * (number + 1) / len(_WIDTHS)
-    ideal = _checked(first, heights, target, rays)
+    ideal = _checked(first, heights, wanted, rays)
     designed = (yield from within(ideal, lambda done: _PREPARED + _CHECKED * done)).distance
-    asked = 1.1 * designed if wanted is None else wanted
+    asked = 1.1 * designed if options.error is None else options.error / 100
     own, least = smoothed[0].error(), math.inf
     # Squares of what manufacture may add, and of how much of it a run may see.
     allowed = asked**2 - designed**2
     added = allowed * (own / designed) ** 2 if designed else allowed
     for attempt in range(_ATTEMPTS):
         limit = math.sqrt(max(own**2 + added, 0.0))
-        found = [each.widest_step(ball_radius, spacing, limit) for each in smoothed]
+        found = [each.widest_step(radius, spacing, limit) for each in smoothed]
         plans = [
-            _plan(scene, step, ball_radius, each.width, rates)
+            _plan(scene, step, radius, each.width, options)
             for each, step in zip(smoothed, found, strict=True)
             if step is not None
         ]
@@ -147,7 +131,7 @@ def planning(
         cheapest, *others = sorted(plans, key=lambda plan: plan.minutes)
         made = first.model_copy(update={"processes": cheapest.processes})
         begin = _PREPARED + _CHECKED * (attempt + 1)
-        steps = _checked(made, heights, target, rays)
+        steps = _checked(made, heights, wanted, rays)
         error = yield from within(steps, partial(_of_check, begin))
         if error.distance - error.off <= asked:
             return ShopPlans(designed, asked, (cheapest._replace(error=error.distance), *others))
@@ -185,10 +169,8 @@ class _Smoothed:
         processes = (Polishing(width=width),) if width else ()
         polished = scene.model_copy(update={"processes": processes})
         lens = tensors_of(heights, scene)
-        image = finest_image(polished, target, lens)
-        assert isinstance(image, WideImage)  # of one image
-        self._image, self.width = image, width
-        self._light = image.light(lens)
+        self._image = finest_image_of(WantedImage(polished, target, 1.0), lens)
+        self.width, self._light = width, self._image.light(lens)
         made = AsMade.of(polished)
         self._blurs = ReliefBlurs(made.scene, made.heights(heights))
 
@@ -222,7 +204,7 @@ class _Smoothed:
 
 
 def _plan(
-    scene: Scene, found: tuple[float, float], radius: float, width: float, rates: ShopRates
+    scene: Scene, found: tuple[float, float], radius: float, width: float, options: PlanOptions
 ) -> ShopPlan:
     step, error = found
     mm = 1e3 * METRES[scene.unit]
@@ -231,7 +213,7 @@ def _plan(
     sizes = [[2 * mm * r for r in element.half_width] for element in scene.optics]
     area = sum(x * y for x, y in sizes)
     passes = sum(y / (mm * step) for _, y in sizes)
-    cutting = area / (mm * step) / rates.feed + passes * _TURN / 60
-    polishing = rates.polishing * area / 100 * (mm * width / 0.1) ** 2
+    cutting = area / (mm * step) / options.feed + passes * _TURN / 60
+    polishing = options.polish_time * area / 100 * (mm * width / 0.1) ** 2
     polish = Polishing(width=float(f"{width:.2g}")) if width else None
     return ShopPlan(milling, polish, error, cutting, polishing)

@@ -168,8 +168,7 @@ def planning(design: Design) -> Steps[CutPlan]:
     many cuts, or the stock or a cutter is impossible.
     """
     check_cutting(design)
-    heights = design.heights if looks_up(design) > 0 else -design.heights[::-1]
-    face = CutFace(design.net, heights, design.outline)
+    face = CutFace.lying(design.net, design.heights, design.outline, looks_up(design))
     asked = _asked_radius(design)
     radii = [asked] if asked else list(_defaults(design, face.default_radius))
     begin, plan = 0.0, None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 from workbench.errors import Refused, shown
 from workbench.files.export.dialects import DIALECTS
 from workbench.messages import Message
-from workbench.option_groups import LENGTH, OptionGroup, option
+from workbench.option_groups import FEED, LENGTH, OptionGroup, option
 from workbench.units import METRES
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ MILLIMETRES, SCENE_UNIT = "mm", "scene"
 """The unit that programs assume for a mesh without a unit, and the name for the scene's unit."""
 MESH_UNITS = (*METRES, SCENE_UNIT)
 """Names of units of a mesh."""
-FEED, SPINDLE, SECONDS = "mm/min", "rpm", "s"
-"""Units of options of machines."""
+SPINDLE, SECONDS = "rpm", "s"
+"""Further units of options of machines."""
 INCH = 25.4
 CUTTERS = {f"{size:g} mm": size for size in (0.5, 1, 1.5, 2, 3, 4, 5, 6)} | {
     f"1/{part} inch": INCH / part for part in (64, 32, 16, 8, 4)

@@ -116,15 +116,14 @@ class Spiral(NamedTuple):
 def write_turning(design: Design, file: BinaryIO) -> Deviation:
     """Write the table; raise Refused if the nose does not fit or there are too many points."""
     up, mm = looks_up(design), 1e3 * design.metres
-    heights = design.heights if up > 0 else -design.heights[::-1]
-    fitting = CutFace(design.net, heights, design.outline).default_radius
-    nose = design.chosen(Turning).nose_radius or min(_NOSE / mm, fitting)
-    face = TurnedFace(design.net, heights, design.outline, nose)
+    lying = CutFace.lying(design.net, design.heights, design.outline, up)
+    nose = design.chosen(Turning).nose_radius or min(_NOSE / mm, lying.default_radius)
+    face = TurnedFace(lying.net, lying.heights, lying.outline, nose)
     _check_nose(design, face)
     spiral = _spiral(design, face)
     numbers = np.arange(spiral.size, dtype=float)
     angle, radius = spiral.at(numbers)
-    top = float(heights.max())
+    top = float(lying.heights.max())
     z = np.round(mm * (face.tip(angle, radius) - top), _DIGITS)
     bound = _bound(face, spiral, _SAMPLES, z / mm + top)
     cusp = spiral.feed**2 / (8 * nose)
