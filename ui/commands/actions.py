@@ -131,7 +131,7 @@ _LOOKS = ["mark_region", "fit_view"]
 TOOLBAR = [_FILES, _STEPS, [*_RUN, "follow"], list(TOOLS), _LOOKS]
 """Groups of the toolbar."""
 NAMED_FIRST = [_RUN, ["follow"], list(TOOLS), _LOOKS, _FILES, _STEPS]
-"""Groups whose names stand beside their icons, as far as there is room."""
+"""Groups whose names stand beside their icons, as many as the width holds."""
 CHOICES = [
     list(RAYS),
     list(RAYS_BY),

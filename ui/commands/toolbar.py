@@ -1,4 +1,4 @@
-"""Toolbar whose buttons have names beside their icons as far as there is room."""
+"""Toolbar whose buttons have names beside their icons, as many as its width holds."""
 
 from collections.abc import Sequence
 

@@ -149,10 +149,8 @@ class ElementsPanel(ListedPanel[AnyElement]):
         return capitalised(self.session.scene.elements[number].name)
 
     def rows_of(self, number: int) -> list[Row]:
-        kinds = self._field.mark(Kinds)
-        assert kinds is not None  # they are of several kinds
         rows = _ElementRows(self, number)
-        return rows.of_kinds(self._field, kinds, rows.path, tr("Kind"))
+        return rows.of_kinds(self._field, rows.path, tr("Kind"))
 
 
 class _ElementRows(Rows):

@@ -26,7 +26,6 @@ from workbench.scene import (
     Finish,
     Image,
     ImageTarget,
-    Kinds,
     RectangleRegion,
     Scene,
 )
@@ -261,10 +260,8 @@ class RegionsPanel(ListedPanel[AnyRegion]):
         return tr("Region {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
-        kinds = self._field.mark(Kinds)
-        assert kinds is not None  # they are of several kinds
         rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})
-        return rows.of_kinds(self._field, kinds, f"regions[{number}]", tr("Shape"))
+        return rows.of_kinds(self._field, f"regions[{number}]", tr("Shape"))
 
 
 def _corner_rows(field: FieldDescription, path: str) -> list[Row]:

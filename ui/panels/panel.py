@@ -123,7 +123,7 @@ class PartPanel(Panel):
         rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
         super().__init__(
             tr(field.title),
-            rows.of_kinds(field, kinds, self.path, kinds.title)
+            rows.of_kinds(field, self.path, kinds.title)
             if kinds
             else rows.of_part(field.parts[0], self.path),
             field.level,

@@ -56,10 +56,11 @@ class Rows:
                 row.only_if(lambda scene: self._method(scene) == method.method)
         return rows
 
-    def of_kinds(
-        self, field: FieldDescription, kinds: Kinds, path: str, label: str = ""
-    ) -> list[Row]:
-        """Return the row of the kind, and the rows of each kind."""
+    def of_kinds(self, field: FieldDescription, path: str, label: str = "") -> list[Row]:
+        """Return the row of the kind, and the rows of each kind, of a field that has several."""
+        kinds = field.mark(Kinds)
+        if kinds is None:
+            raise TypeError(f"{path} has parts of one kind only")
         choice = KindRow(
             path,
             tr(label or field.title),
@@ -90,8 +91,8 @@ class Rows:
                 for number in range(len(field.members))
                 for row in self._of_member(field, number, path)
             ]
-        if kinds := field.mark(Kinds):
-            choice, *rows = self.of_kinds(field, kinds, path)
+        if field.mark(Kinds):
+            choice, *rows = self.of_kinds(field, path)
             for row in rows:
                 if row.level >= choice.level:  # else it stands elsewhere
                     row.put_under(choice)

@@ -240,7 +240,5 @@ class ProcessesPanel(ListedPanel[Process]):
         return tr("Process {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
-        kinds = self._field.mark(Kinds)
-        assert kinds is not None  # they are of several kinds
         rows = Rows(lambda: self.session.scene, {})
-        return rows.of_kinds(self._field, kinds, f"processes[{number}]", tr("Process"))
+        return rows.of_kinds(self._field, f"processes[{number}]", tr("Process"))

@@ -12,6 +12,7 @@ from torch.nn.functional import avg_pool2d, grid_sample, interpolate
 from workbench.arrays import Array
 from workbench.design.fitted_blur import directions_at_receiver, lens_blur_of
 from workbench.design.images import AnyImage, ExpectedImage, SeveralImages, WideImage
+from workbench.design.lens_state import LensState
 from workbench.design.loss import asked_light_of
 from workbench.extended.relief_blur import relief_blur_of
 from workbench.extended.scattering import film_scene, scattering_of
@@ -19,7 +20,7 @@ from workbench.geometry.as_made import AsMade
 from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import of_known_size
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.plan import arrays_of
+from workbench.optics.plan import arrays_of, tensors_of
 from workbench.optics.samples import Corners
 from workbench.scene import Scene, WantedImage
 
@@ -188,6 +189,12 @@ def finest_image(
     is blurred.
     """
     return _expected(fine_level(scene), scene, target, heights, mirrored)
+
+
+def as_compared(scene: Scene, target: Array, heights: Mapping[str, Array]) -> LensState:
+    """A lens in the light by which a run of the scene compares lenses."""
+    lens = tensors_of(heights, scene)
+    return finest_image(scene, target, lens).step(lens).state
 
 
 def finest_image_of(image: WantedImage, heights: Mapping[str, Tensor]) -> WideImage:

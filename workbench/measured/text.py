@@ -2,12 +2,16 @@
 
 import codecs
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from pathlib import PurePath
+from typing import BinaryIO, TypeVar
 
 import numpy as np
 
-from workbench.errors import visible
+from workbench.errors import Refused, visible
 from workbench.messages import Message
+
+Read = TypeVar("Read")
 
 _GAPS = re.compile(r"[\s,;]+")
 _SPACES = re.compile(r"[\s;]+")
@@ -149,3 +153,18 @@ def problem_in(error: ValueError) -> str:
     """Message of a reader's ValueError, for a refusal."""
     problem = error.args[0] if error.args else ""
     return problem if isinstance(problem, Message) else visible(str(error))
+
+
+def read_whole(name: PurePath, file: BinaryIO, reader: Callable[[bytes], Read], most: int) -> Read:
+    """Read a file of at most ``most`` bytes; raise Refused, with its name, if it is unusable."""
+    content = file.read(most + 1)
+    if len(content) > most:
+        raise Refused(
+            str(name), Message("has more than {most} MB, too many for such a file", most=most >> 20)
+        )
+    try:
+        return reader(content)
+    except ValueError as error:
+        raise Refused(
+            str(name), Message("cannot be used: {problem}", problem=problem_in(error))
+        ) from error

@@ -91,8 +91,8 @@ def test_standard_errors_are_those_of_noise(face):
         middle = [each.applied(points).mean(axis=0) for each in (found.placement, placement)]
         off.append(middle[0] - middle[1])
         stated.append(found.shift_error)
-    measured, said = np.sqrt(np.mean(np.square(off), axis=0)), np.mean(stated, axis=0)
-    assert (measured / said < 2.5).all() and (measured / said > 0.3).all()
+    measured, expected = np.sqrt(np.mean(np.square(off), axis=0)), np.mean(stated, axis=0)
+    assert (measured / expected < 2.5).all() and (measured / expected > 0.3).all()
 
 
 def test_a_part_of_the_face_is_placed(face):

@@ -60,7 +60,7 @@ def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height):
 def passes(text):
     """Straight moves of each pass of a program, as (feed or rapid, start, end), by a parser.
 
-    Comments in parentheses are taken out before: the parser knows others alone.
+    Comments in parentheses are removed first: the parser reads only comments after semicolons.
     """
     found, at = [], np.full(3, np.nan)
     for line in parse_gcode_lines(re.sub(r"\(.*?\)", "", text)):

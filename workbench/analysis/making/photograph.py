@@ -13,18 +13,17 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import torch
 
 from workbench.analysis.scatter import STUDENT_T
 from workbench.arrays import Array
-from workbench.design.levels import finest_image
+from workbench.design.levels import as_compared
 from workbench.errors import Refused
 from workbench.messages import Message
-from workbench.optics.plan import tensors_of
 from workbench.progress import Steps
 from workbench.scene import Scene
-from workbench.scene.making.uncertainty import Uncertainty
+from workbench.scene.making.uncertainty import Uncertainty, farther, way_to
 from workbench.scene.turning import tilted
+from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
     from scipy.optimize import OptimizeResult
@@ -42,7 +41,7 @@ class Cause(NamedTuple):
 
     name: str
     value: float
-    off: float  # standard error
+    off: float  # half of the interval of 95 % by statistics alone
     unit: str  # "scene" for lengths in scene units
     # Part of the squares of differences that comes back without this cause, of what all explain.
     explains: float
@@ -74,17 +73,18 @@ def rectified(picture: Array, corners: Sequence[Corner], shape: tuple[int, int])
     """
     from scipy.ndimage import map_coordinates  # slow import
 
-    column, row = _places(_homography(corners, picture.shape), shape)
-    found = map_coordinates(picture, [row, column], order=1, mode="nearest")
-    n_y, n_x = shape
-    return np.asarray(found.reshape(n_y, _PER_PIXEL, n_x, _PER_PIXEL).mean(axis=(1, 3)))
+    column, row = _samples(corners, picture.shape, shape)
+    return averaged(map_coordinates(picture, [row, column], order=1, mode="nearest"), shape)
 
 
-def _places(homography: Array, shape: tuple[int, int]) -> tuple[Array, Array]:
+def _samples(
+    corners: Sequence[Corner], size: tuple[int, ...], shape: tuple[int, int]
+) -> tuple[Array, Array]:
     """Columns and rows in a picture of samples of the pixels of a receiver."""
     n_y, n_x = (_PER_PIXEL * n for n in shape)
     u, v = np.meshgrid((np.arange(n_x) + 0.5) / n_x, (np.arange(n_y) + 0.5) / n_y)
-    x, y, w = np.tensordot(homography, np.stack([u, v, np.ones_like(u)]), axes=1)
+    flat = np.stack([u, v, np.ones_like(u)])
+    x, y, w = np.tensordot(_homography(corners, size), flat, axes=1)
     return x / w - 0.5, y / w - 0.5
 
 
@@ -198,9 +198,9 @@ class _Change(NamedTuple):
 
 def _changes(scene: Scene) -> list[_Change]:
     """Deviations that are looked for, each by how much it is."""
-    distance = float(np.linalg.norm(_way(scene)))
+    distance = float(np.linalg.norm(way_to(scene, scene.receiver)))
     found = [
-        _Change("distance", "scene", 0.01 * distance, _farther),
+        _Change("distance", "scene", 0.01 * distance, farther),
         _Change("tilt about x", "°", 1.0, partial(_tilted, 0)),
         _Change("tilt about y", "°", 1.0, partial(_tilted, 1)),
     ]
@@ -213,20 +213,6 @@ def _changed(scene: Scene, changes: Sequence[_Change], values: Array) -> Scene:
     for change, value in zip(changes, values.tolist(), strict=True):
         scene = change.apply(scene, value)
     return scene
-
-
-def _way(scene: Scene) -> Array:
-    """From the lens to the middle of the receiver, scene units."""
-    optic = scene.optic
-    leaves = optic.in_scene(np.array([0.0, 0.0, optic.leaving_z]))
-    return np.asarray(scene.receiver.middle_in_scene - leaves)
-
-
-def _farther(scene: Scene, by: float) -> Scene:
-    receiver, way = scene.receiver, _way(scene)
-    place = receiver.middle_in_scene + by * way / np.linalg.norm(way)
-    x, y, z = place.tolist()
-    return scene.with_receiver(receiver.model_copy(update={"position": (x, y, z)}))
 
 
 def _tilted(axis: int, scene: Scene, by: float) -> Scene:
@@ -243,9 +229,7 @@ def _larger(scene: Scene, by: float) -> Scene:
 
 def _light(scene: Scene, target: Array, heights: Mapping[str, Array]) -> Array:
     """Light of a lens on its receiver, its mean 1."""
-    lens = tensors_of(heights, scene)
-    with torch.no_grad():
-        image = finest_image(scene, target, lens).step(lens).state.irradiance
+    image = as_compared(scene, target, heights).irradiance
     return np.asarray(image / image.mean())
 
 
@@ -255,11 +239,9 @@ def _correlation(one: Array, other: Array) -> float:
 
 def _radii(corners: Sequence[Corner], size: tuple[int, ...], shape: tuple[int, int]) -> Array:
     """Distances of pixels of the receiver from the middle of a photograph; 1 in its corners."""
-    column, row = _places(_homography(corners, size), shape)
+    column, row = _samples(corners, size, shape)
     x, y = column - size[1] / 2, row - size[0] / 2
-    far = np.hypot(x, y) / math.hypot(*(n / 2 for n in size))
-    n_y, n_x = shape
-    return np.asarray(far.reshape(n_y, _PER_PIXEL, n_x, _PER_PIXEL).mean(axis=(1, 3)))
+    return averaged(np.hypot(x, y) / math.hypot(*(n / 2 for n in size)), shape)
 
 
 # Logarithm of the scale, background, logarithm of the response, darkening by r² and r⁴.

@@ -4,14 +4,10 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import torch
-
 from workbench.arrays import Array
-from workbench.design.levels import finest_image
+from workbench.design.levels import as_compared
 from workbench.design.loss import relative_error
-from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
-from workbench.scene.making.uncertainty import Uncertainty
 
 
 class ExpectedError(NamedTuple):
@@ -32,12 +28,9 @@ def expected_error(scene: Scene, target: Array, heights: Mapping[str, Array]) ->
 
     `target` (n_y, n_x): in any scale; `heights` (n_u, n_v): control heights by face.
     """
-    lens = tensors_of(heights, scene)
     errors, mean = [], 0.0
     for case, probability in scene.uncertainty.cases(scene):
-        exact = case.model_copy(update={"uncertainty": Uncertainty()})
-        with torch.no_grad():
-            error = relative_error(finest_image(exact, target, lens).step(lens).state, target)
+        error = relative_error(as_compared(case, target, heights), target)
         errors.append(error)
         mean += probability * error**2
     return ExpectedError(errors[0], math.sqrt(mean), max(errors), len(errors))

@@ -8,7 +8,7 @@ from workbench.errors import Refused
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
 from workbench.measured.photometry.table import IntensityTable
-from workbench.measured.text import problem_in
+from workbench.measured.text import read_whole
 from workbench.messages import Message
 
 __all__ = ["ENDINGS", "IntensityTable", "read_photometry"]
@@ -29,15 +29,4 @@ def read_photometry(name: PurePath, file: BinaryIO) -> IntensityTable:
             str(name),
             Message("is no photometric file; {endings} is needed", endings=" or ".join(ENDINGS)),
         )
-    content = file.read(_LARGEST + 1)
-    if len(content) > _LARGEST:
-        raise Refused(
-            str(name),
-            Message("has more than {most} MB, too many for such a file", most=_LARGEST >> 20),
-        )
-    try:
-        return reader(content)
-    except ValueError as error:
-        raise Refused(
-            str(name), Message("cannot be used: {problem}", problem=problem_in(error))
-        ) from error
+    return read_whole(name, file, reader, _LARGEST)

@@ -13,7 +13,7 @@ from workbench.measured.surfaces.sdf import read_sdf
 from workbench.measured.surfaces.stl import read_stl
 from workbench.measured.surfaces.table import read_table
 from workbench.measured.surfaces.x3p import read_x3p
-from workbench.measured.text import problem_in
+from workbench.measured.text import read_whole
 from workbench.messages import Message
 
 __all__ = ["ENDINGS", "UNITS", "MeasuredSurface", "PictureScale", "read_surface"]
@@ -52,15 +52,4 @@ def read_surface(
             str(name),
             Message("is no measured surface; {endings} are known", endings=", ".join(ENDINGS)),
         )
-    content = file.read(_LARGEST + 1)
-    if len(content) > _LARGEST:
-        raise Refused(
-            str(name),
-            Message("has more than {most} MB, too many for such a file", most=_LARGEST >> 20),
-        )
-    try:
-        return reader(content)
-    except ValueError as error:
-        raise Refused(
-            str(name), Message("cannot be used: {problem}", problem=problem_in(error))
-        ) from error
+    return read_whole(name, file, reader, _LARGEST)

@@ -157,17 +157,21 @@ class RandomRelief(Relief):
 
     def heights(self, x: Array, y: Array, smoothing: float) -> Array:
         """Heights of the error on a grid (n_x, n_y); for the parameters see `Relief.slopes`."""
-        found = np.zeros((len(x), len(y)))
-        for (k_x, k_y), phase, height in zip(*self.waves, strict=True):
-            damped = height * math.exp(-(k_x**2 + k_y**2) * smoothing**2 / 2)
-            found += damped * np.sin(k_x * x[:, None] + k_y * y + phase)
-        return found
+        vectors, phases, heights = self._damped(smoothing)
+        along_x, along_y = np.outer(x, vectors[:, 0]) + phases, np.outer(vectors[:, 1], y)
+        # The sine of a sum is a product of matrices over all waves.
+        sines, cosines = heights * np.sin(along_x), heights * np.cos(along_x)
+        return np.asarray(sines @ np.cos(along_y) + cosines @ np.sin(along_y))
+
+    def _damped(self, smoothing: float) -> tuple[Array, Array, Array]:
+        """Waves whose heights a Gaussian has averaged."""
+        vectors, phases, heights = self.waves
+        return vectors, phases, heights * np.exp(-np.square(vectors).sum(axis=1) * smoothing**2 / 2)
 
     def slopes(self, places: FacePlaces, smoothing: float) -> tuple[Array, Array]:
         """See `Relief.slopes`."""
         found = np.zeros((2, len(places.x)))
-        for vector, phase, height in zip(*self.waves, strict=True):
-            damped = height * math.exp(-(vector @ vector) * smoothing**2 / 2)
-            wave = damped * np.cos(vector[0] * places.x + vector[1] * places.y + phase)
+        for vector, phase, height in zip(*self._damped(smoothing), strict=True):
+            wave = height * np.cos(vector[0] * places.x + vector[1] * places.y + phase)
             found += vector[:, None] * wave
         return found[0], found[1]

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import numpy as np
 
+from workbench.arrays import Array
 from workbench.scene.fields import ANGLE, LENGTH, about
 from workbench.scene.part import NonNegative, Part
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.turning import turned
 
 if TYPE_CHECKING:
@@ -48,7 +50,8 @@ class Uncertainty(Part):
     ] = 0.0
 
     def cases(self, scene: "Scene") -> tuple[Case, ...]:
-        """Return the scene itself and those at the deviations, with their probabilities."""
+        """Return the scene itself and those at the deviations, all of them without uncertainty."""
+        scene = scene.model_copy(update={"uncertainty": Uncertainty()})
         ways = self._ways(scene)
         share, far = 1 / (len(ways) + 1), math.sqrt(len(ways) + 1)
         both = (way(scene, sign * far) for way in ways for sign in (1, -1))
@@ -67,17 +70,7 @@ class Uncertainty(Part):
         return ways
 
     def _farther(self, scene: "Scene", deviations: float) -> "Scene":
-        images = []
-        for image in scene.images:
-            receiver = image.receiver
-            if receiver.stands_at is not None:  # a far field is as far from everywhere
-                middle = receiver.middle_in_scene
-                way = middle - scene.optic.in_scene(np.array([0.0, 0.0, scene.optic.leaving_z]))
-                step = deviations * self.distance * way / np.linalg.norm(way)
-                x, y, z = (receiver.position + step).tolist()
-                receiver = receiver.model_copy(update={"position": (x, y, z)})
-            images.append(image.model_copy(update={"receiver": receiver}))
-        return scene.with_images(images)
+        return farther(scene, deviations * self.distance)
 
     def _shifted(self, axis: int, scene: "Scene", deviations: float) -> "Scene":
         place = np.array(scene.source.place)
@@ -89,3 +82,22 @@ class Uncertainty(Part):
         angles[axis] = deviations * self.source_tilt
         turn = turned((angles[0], angles[1]))
         return scene.model_copy(update={"source": scene.source.standing(None, turn)})
+
+
+def way_to(scene: "Scene", receiver: AnyReceiver) -> Array:
+    """From where light leaves the designed element to the middle of a receiver, scene units."""
+    leaves = scene.optic.in_scene(np.array([0.0, 0.0, scene.optic.leaving_z]))
+    return np.asarray(receiver.middle_in_scene - leaves)
+
+
+def farther(scene: "Scene", by: float) -> "Scene":
+    """Return the scene with planes farther along the light that comes to their middles."""
+    images = []
+    for image in scene.images:
+        receiver = image.receiver
+        if receiver.stands_at is not None:  # a far field is as far from everywhere
+            way = way_to(scene, receiver)
+            x, y, z = (receiver.position + by * way / np.linalg.norm(way)).tolist()
+            receiver = receiver.model_copy(update={"position": (x, y, z)})
+        images.append(image.model_copy(update={"receiver": receiver}))
+    return scene.with_images(images)
