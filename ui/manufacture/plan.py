@@ -62,7 +62,7 @@ class PlanDialog(QDialog):
             WrappedLabel(tr(_ABOUT)),
             self.fields,
             self.state,
-            self.table,
+            (self.table, 1),
             buttons,
         )
         self.resize(72 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
