@@ -4311,8 +4311,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
-            <source>flux / {unit}</source>
-            <translation>Fluss / {unit}</translation>
+            <source>× mean</source>
+            <translation>× Mittel</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
@@ -9860,19 +9860,14 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>„{file}“ {reason}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>{value} × mean</source>
+            <translation>{value} × Mittel</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/photometry/__init__.py" />
             <source>is no photometric file; {endings} is needed</source>
             <translation>ist keine photometrische Datei; {endings} ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/__init__.py" />
-            <source>has more than {most} MB, too many for such a file</source>
-            <translation>hat mehr als {most} MB, zu viel für eine solche Datei</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/__init__.py" />
-            <source>cannot be used: {problem}</source>
-            <translation>lässt sich nicht verwenden: {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -9988,6 +9983,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/measured/rays/__init__.py" />
             <source>is no ray file; {endings} are known</source>
             <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/__init__.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>lässt sich nicht verwenden: {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
@@ -10278,6 +10278,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/measured/text.py" />
             <source>it goes on behind its end</source>
             <translation>sie geht nach ihrem Ende weiter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>hat mehr als {most} MB, zu viel für eine solche Datei</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/account.py" />

@@ -4311,8 +4311,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
-            <source>flux / {unit}</source>
-            <translation>flux / {unit}</translation>
+            <source>× mean</source>
+            <translation>× moyenne</translation>
         </message>
         <message>
             <location filename="../../ui/widgets/figures.py" />
@@ -9860,19 +9860,14 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>« {file} » {reason}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>{value} × mean</source>
+            <translation>{value} × moyenne</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/photometry/__init__.py" />
             <source>is no photometric file; {endings} is needed</source>
             <translation>n'est pas un fichier photométrique ; il faut {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/__init__.py" />
-            <source>has more than {most} MB, too many for such a file</source>
-            <translation>a plus de {most} Mo, trop pour un tel fichier</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/__init__.py" />
-            <source>cannot be used: {problem}</source>
-            <translation>ne peut pas être utilisé : {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -9988,6 +9983,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/measured/rays/__init__.py" />
             <source>is no ray file; {endings} are known</source>
             <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/__init__.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>ne peut pas être utilisé : {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
@@ -10278,6 +10278,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/measured/text.py" />
             <source>it goes on behind its end</source>
             <translation>il continue après sa fin</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>a plus de {most} Mo, trop pour un tel fichier</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/account.py" />

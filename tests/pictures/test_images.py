@@ -93,7 +93,7 @@ def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes)
     image = IrradianceImage(axes, make_scene({"screen": None, "far_field": far}), np.ones((4, 8)))
     assert axes.get_xlim() == (10, 50) and axes.get_ylim() == (-15, 5)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("H (°)", "V (°)")
-    assert axes.child_axes[0].get_ylabel() == "flux / sr"
+    assert axes.child_axes[0].get_ylabel() == "× mean"
     assert image.artists[0].get_label() == "intensity"
 
 

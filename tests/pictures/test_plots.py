@@ -6,6 +6,7 @@ from matplotlib.colors import LogNorm, PowerNorm
 from matplotlib.figure import Figure
 
 from workbench.design.session import VerifiedError
+from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import (
     Extent,
     colour_bar,
@@ -105,9 +106,11 @@ def test_a_cut_across_a_far_field_is_where_its_angles_are(make_scene, rng, along
     curves = SectionCurves(axes, scene, np.ones((4, 8)))
     curves.update(image, cut_through(scene, along, (43.0, -1.0)))  # row 1, column 6
     degrees = {"x": 12.5 + 5 * np.arange(8), "y": -12.5 + 5 * np.arange(4)}[along]
-    np.testing.assert_allclose(curves.artists[1].get_data(), [degrees, image[line]])
+    np.testing.assert_allclose(
+        curves.artists[1].get_data(), [degrees, image[line] * light_unit(scene).density]
+    )
     stated = {"x": "H (°) at V = -1°", "y": "V (°) at H = 43°"}[along]
-    assert (axes.get_xlabel(), axes.get_ylabel()) == (stated, "flux / sr")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (stated, "× mean")
     assert axes.get_legend().get_texts()[1].get_text() == "intensity"
 
 
@@ -121,10 +124,10 @@ def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
     IrradianceImage(figure.subplots(), scene, np.ones((4, 8))).update(image)
     x, y, values = shown_data(figure)
     assert [x.name, y.name] == ["x [cm]", "y [cm]"]
-    assert values.name == "irradiance [flux / cm^2]"
+    assert values.name == "irradiance [× mean]"
     np.testing.assert_allclose(x.values[:8], np.arange(-1.75, 2, 0.5))
     np.testing.assert_allclose(y.values[::8], [0.75, 0.25, -0.25, -0.75])
-    np.testing.assert_array_equal(values.values, image.ravel())
+    np.testing.assert_allclose(values.values, 8 * image.ravel(), rtol=1e-12)  # cm² of the screen
 
 
 def test_curves_of_the_same_places_share_them(scene, figure, rng):
@@ -135,10 +138,10 @@ def test_curves_of_the_same_places_share_them(scene, figure, rng):
     columns = shown_data(figure)
     assert [column.name for column in columns] == [
         "x [cm] at y = 0.1 cm",
-        "target: flux / cm^2",
-        "irradiance: flux / cm^2",
+        "target: × mean",
+        "irradiance: × mean",
     ]
-    np.testing.assert_array_equal(columns[2].values, image[1])
+    np.testing.assert_allclose(columns[2].values, 8 * image[1], rtol=1e-12)
 
 
 @pytest.fixture

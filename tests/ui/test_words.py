@@ -58,7 +58,7 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     figure = Figure()
     axes = figure.subplots()
     axes.set_xlabel("z of the screen (mm)")
-    axes.set_ylabel("flux / mm²")
+    axes.set_ylabel("× mean")
     axes.plot([0, 1], label="this run")
     axes.legend()
     translate(figure)
@@ -66,7 +66,7 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     speaking("de")
     translate(figure)
     (legend,) = axes.get_legend().get_texts()
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "Fluss / mm²")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "× Mittel")
     assert legend.get_text() == "dieser Lauf"
     assert axes.legend().get_texts()[0].get_text() == "dieser Lauf"
     axes.set_xlabel("x (mm) at y = 0.5 mm")
@@ -74,11 +74,11 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     translate_axes(figure)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (mm) bei y = 0.5 mm", "Abstand (mm)")
     axes.set_xlabel("x (10⁻³ m) at y = 0.5 m")
-    axes.set_ylabel("10⁻⁶ flux / mm²")
+    axes.set_ylabel("10³ × mean / mm")
     translate_axes(figure)
     assert (axes.get_xlabel(), axes.get_ylabel()) == (
         "x (10⁻³ m) bei y = 0.5 m",
-        "10⁻⁶ Fluss / mm²",
+        "10³ × Mittel / mm",
     )
 
 

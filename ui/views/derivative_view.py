@@ -17,6 +17,7 @@ from ui.words import later, tr
 from workbench.arrays import Array
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import nets_of
+from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
@@ -147,9 +148,7 @@ class DerivativeView(ImageView, ComputingView):
         return Extent.of_receiver(session.scene)
 
     def _unit(self, session: "Session") -> str:
-        scene = session.scene
-        per = scene.receiver.density_words(scene.unit).removeprefix("flux / ")
-        return f"/ ({per} · {scene.unit})"
+        return f"{tr(light_unit(session.scene).words)} / {session.scene.unit}"
 
     def _new_image(self, axes: "Axes", session: "Session") -> DerivativeImage:
         return DerivativeImage(axes, session.scene)

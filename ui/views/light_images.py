@@ -70,7 +70,7 @@ class ScreenImageView(ImageView):
         return Extent.of_receiver(session.scene)
 
     def _unit(self, session: "Session") -> str:
-        return light_unit(session.scene).short
+        return tr(light_unit(session.scene).words)
 
     def _number(self, session: "Session") -> int:
         self._choice.show_scene(session.scene)

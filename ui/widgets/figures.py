@@ -40,7 +40,7 @@ class FigureCanvas(FigureCanvasQTAgg):
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
 _AT = re.compile(r"(.* \(.*\)) at (.*)")
-_FLUX = re.compile(r"(10\S+ )?flux / (.*)")
+_MEAN = re.compile(r"(10\S+ )?× mean(.*)")
 
 
 def translate(figure: Figure, names: Collection[str] = ()) -> None:
@@ -66,8 +66,8 @@ def _translate_texts(texts: Iterable[Text]) -> None:
 
 
 def _translated(english: str) -> str:
-    if flux := _FLUX.fullmatch(english):
-        return (flux[1] or "") + tr("flux / {unit}").format(unit=flux[2])
+    if mean := _MEAN.fullmatch(english):
+        return (mean[1] or "") + tr("× mean") + mean[2]
     if at := _AT.fullmatch(english):
         return tr("{axis} at {place}").format(axis=_translated(at[1]), place=at[2])
     parts = _WITH_UNIT.fullmatch(english)

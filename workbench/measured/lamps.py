@@ -7,6 +7,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import BinaryIO, Literal, NamedTuple, TypeVar
 
+import numpy as np
+
 from workbench import units
 from workbench.errors import Refused
 from workbench.measured.photometry import IntensityTable, read_photometry
@@ -159,15 +161,10 @@ def _from(file: str, data: bytes | None, read: Callable[[Path, BinaryIO], T]) ->
 class LightUnit(NamedTuple):
     """Unit in which light is shown, for a source whose flux is 1 in the computation."""
 
-    words: str = "flux"  # unit of a density: "lx", "cd", or "flux / cm²" and the like
+    words: str = "flux"  # unit of a density: "lx", "cd" or "× mean"
     # Factor for a density: flux per area in the scene's unit, or per solid angle.
     density: float = 1.0
     lumens: float | None = None  # flux of the source, lm; None if unknown
-
-    @property
-    def short(self) -> str:
-        """Unit of a density, as written after a number."""
-        return self.words.removeprefix("flux ")
 
     def flux_in_words(self, share: float) -> str:
         """A part of the flux in lumen, as in "12.3 lm"; empty if unknown."""
@@ -175,7 +172,10 @@ class LightUnit(NamedTuple):
 
     def density_in_words(self, density: float) -> str:
         """A density with its unit."""
-        return written(density * self.density, self.short)
+        value = density * self.density
+        if self.lumens is None:
+            return Message("{value} × mean", value=written(value))
+        return written(value, self.words)
 
 
 IN_PARTS = LightUnit()
@@ -183,7 +183,10 @@ IN_PARTS = LightUnit()
 
 
 def light_unit(scene: Scene) -> LightUnit:
-    """Return the unit for the light of a scene; relative if a file of the source is unusable.
+    """Return the unit for the light of a scene.
+
+    Where the flux of the source is unknown, or its file unusable, light is stated in multiples of
+    the mean: what the whole flux gives when it is spread evenly over the receiver.
 
     Examples
     --------
@@ -210,7 +213,7 @@ def light_unit(scene: Scene) -> LightUnit:
     """
     receiver, lumens = scene.receiver, _lumens(scene)
     if lumens is None:
-        return LightUnit(receiver.density_words(scene.unit))
+        return LightUnit(Message("× mean"), receiver.total(np.ones(receiver.pixels[::-1])))
     if not receiver.measure.power:
         return LightUnit("cd", lumens, lumens)
     return LightUnit("lx", lumens / float(units.METRES[scene.unit]) ** 2, lumens)

@@ -62,7 +62,7 @@ class RunImage:
     def in_words(self, x: float, y: float) -> str:
         """Value and unit at a point of the receiver; empty outside."""
         light = self.at(x, y)
-        return "" if light is None else written(light, self.unit.short)
+        return "" if light is None else written(light, self.unit.words)
 
 
 class Comparison:
@@ -114,7 +114,7 @@ class Comparison:
         if self.difference is None:
             value = light.in_words(x, y)
         else:
-            first = one.in_words(x, y).removesuffix(f" {one.unit.short}")
+            first = one.in_words(x, y).removesuffix(f" {one.unit.words}")
             value = f"{first} → {other.in_words(x, y)}"
         place = {"x": extent.in_words(0, x), "y": extent.in_words(1, y)}
         return Message("{value} at {x}, {y}", value=value, **place)

@@ -214,7 +214,9 @@ def _table(name: str) -> npt.NDArray[np.uint8]:
 
 
 class DerivativeImage(UpdatedPicture):
-    """Map of a derivative on axes of the caller; ``values`` (n_y, n_x) are shown.
+    """Map of a derivative on axes of the caller.
+
+    ``values`` (n_y, n_x) are shown, in the scene's `LightUnit` per length.
 
     The scale is symmetric about zero. Pixels that the control point does not reach are grey.
     """
@@ -226,8 +228,8 @@ class DerivativeImage(UpdatedPicture):
         self._image = receiver_map(axes, "derivative", scene, colours)
         self._scene, self._scale = scene, 1.0
         self._image.set_clim(-self._scale, self._scale)
-        density = scene.receiver.density_words(scene.unit)
-        colour_bar(axes, self._image, f"{density} per {scene.unit}", extend="neither")
+        self._unit = light_unit(scene)
+        colour_bar(axes, self._image, f"{self._unit.words} / {scene.unit}", extend="neither")
         self.update(None)
         self.artists = [self._image]
 
@@ -235,9 +237,9 @@ class DerivativeImage(UpdatedPicture):
         """Show a derivative (n_y, n_x), flux per area and length; None shows zeros."""
         if derivative is None:
             derivative = np.zeros(self._image.get_array().shape)
-        self.values = derivative
-        self._image.set_data(np.ma.masked_equal(as_viewed(self._scene, derivative), 0))
-        scale = float(np.abs(derivative).max()) or 1.0
+        self.values = derivative * self._unit.density
+        self._image.set_data(np.ma.masked_equal(as_viewed(self._scene, self.values), 0))
+        scale = float(np.abs(self.values).max()) or 1.0
         if scale == self._scale:
             return False
         self._scale = scale

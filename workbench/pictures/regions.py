@@ -51,7 +51,7 @@ class RegionMarks:
         for text, light in zip(self._texts, found, strict=True):
             label, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
             if unit.lumens is not None:
-                label += f", {written(light.mean * unit.density, unit.short, 3)}"
+                label += f", {written(light.mean * unit.density, unit.words, 3)}"
             if light.uniformity is not None:
                 label += f"\nU₀ {light.uniformity:.2f}"
             text.set_text(label)

@@ -247,10 +247,6 @@ class AnyReceiver(Part):
         """Unit of a density where the source's flux is 1, in a scene with a unit of length."""
         return f"1/{unit}^2" if self.measure.power else "1/sr"
 
-    def density_words(self, unit: str) -> str:
-        """The same for people, whatever the flux of the source is."""
-        return f"flux / {Measure(power=2).sign_in(unit) if self.measure.power else 'sr'}"
-
     def density_in_unit(self, factor: float) -> float:
         """By what a density is divided where lengths are multiplied by a factor."""
         return factor ** (2 * self.measure.power)
