@@ -381,13 +381,15 @@ class MainWindow(QMainWindow):
 
     def _show_opened(self) -> None:
         session = self.document.session
-        if self.pages.at_start or (session.heights is not None and self.workspaces.name == "task"):
+        if self.pages.at_start or (
+            session.heights is not None and self.workspaces.name in ("task", "make")
+        ):
             self.pages.show_desk("task" if session.heights is None else "design")
         self._view_state.restore(session.view)
 
     def _watch_run(self) -> None:
         running = self.loaded is not None and self.loaded.state == "running"
-        if running and (self.pages.at_start or self.workspaces.name == "task"):
+        if running and (self.pages.at_start or self.workspaces.name in ("task", "make")):
             self.pages.show_desk("design")
 
     # Slots of the window itself: nothing calls them any more while its parts are taken down.

@@ -2370,11 +2370,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
-            <translation>Rot und schraffiert, wo eine Grenze überschritten ist, sonst grün</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Dicke entlang z</translation>
         </message>
@@ -2392,6 +2387,11 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>Largest convex curvature; zero where there is none</source>
             <translation>Größte konvexe Krümmung; null, wo es keine gibt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
+            <translation>Rot und schraffiert, wo eine Grenze überschritten ist, sonst grün</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -10606,13 +10606,18 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>{error} verified error as made</source>
-            <translation>{error} geprüfter Fehler nach Fertigung</translation>
+            <source>{error} computed error as made, not verified yet</source>
+            <translation>{error} berechneter Fehler nach Fertigung, noch nicht geprüft</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
             <source>{error} verified error</source>
             <translation>{error} geprüfter Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error} verified error as made</source>
+            <translation>{error} geprüfter Fehler nach Fertigung</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />

@@ -2370,11 +2370,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
-            <translation>Rouge et hachuré là où une limite est dépassée, vert ailleurs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Épaisseur selon z</translation>
         </message>
@@ -2392,6 +2387,11 @@
             <location filename="../../ui/manufacture/pane.py" />
             <source>Largest convex curvature; zero where there is none</source>
             <translation>Plus grande courbure convexe ; zéro s'il n'y en a pas</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Red and hatched where a limit is exceeded, green elsewhere</source>
+            <translation>Rouge et hachuré là où une limite est dépassée, vert ailleurs</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -10606,13 +10606,18 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
-            <source>{error} verified error as made</source>
-            <translation>{error} d'erreur vérifiée après fabrication</translation>
+            <source>{error} computed error as made, not verified yet</source>
+            <translation>{error} d'erreur calculée après fabrication, pas encore vérifiée</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />
             <source>{error} verified error</source>
             <translation>{error} d'erreur vérifiée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/findings.py" />
+            <source>{error} verified error as made</source>
+            <translation>{error} d'erreur vérifiée après fabrication</translation>
         </message>
         <message>
             <location filename="../../workbench/report/findings.py" />

@@ -67,7 +67,9 @@ class CoachMarks(QFrame):
         self._text.setFixedWidth(_WIDE)
         self._follow = QTimer(self, singleShot=True, interval=0)
         self._follow.timeout.connect(self._point)
-        window.installEventFilter(self)
+        self._watched = {window, *places}
+        for each in self._watched:
+            each.installEventFilter(self)
         self._show()
 
     @property
@@ -75,7 +77,8 @@ class CoachMarks(QFrame):
         return self._title.text()
 
     def end(self) -> None:
-        self.window().removeEventFilter(self)
+        for each in self._watched:
+            each.removeEventFilter(self)
         self._follow.stop()
         for each in (self, self._frame):
             each.hide()
@@ -83,7 +86,7 @@ class CoachMarks(QFrame):
         self.ended.emit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
             self._follow.start()
         return False
 

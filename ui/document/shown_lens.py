@@ -154,6 +154,7 @@ class ShownLens(QObject):
         self._wait = QTimer(self, singleShot=True, interval=_AT_ONCE_MS)
         self._wait.timeout.connect(lambda: self._mark(True))
         document.session_changed.connect(self._follow)
+        document.begun.connect(self.emptied)  # nothing of another design stands in for a new one
         self.frame_changed.connect(self._store)
         self.emptied.connect(self._empty)
 

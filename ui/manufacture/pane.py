@@ -38,11 +38,11 @@ if TYPE_CHECKING:
 _PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
     (
-        "Red and hatched where a limit is exceeded, green elsewhere",
         "Thickness along z",
         "Angle between the face and a plane across the axis",
         "Largest concave curvature; zero where there is none",
         "Largest convex curvature; zero where there is none",
+        "Red and hatched where a limit is exceeded, green elsewhere",
     )
 )
 
@@ -63,7 +63,7 @@ class FaceMap(FaceMapView):
     def __init__(self) -> None:
         self._limits = Limits()
         self._maps: Mapping[str, SurfaceMaps] = {}
-        hatched = ["", *(len(MAPS) - 1) * [tr("; hatched where a limit is exceeded")]]
+        hatched = [*(len(MAPS) - 1) * [tr("; hatched where a limit is exceeded")], ""]
         names = zip(MAPS, _TIPS, hatched, strict=True)
         super().__init__([(tr(name), f"{tr(tip)}{more}") for name, tip, more in names])
 

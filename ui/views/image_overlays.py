@@ -71,6 +71,7 @@ class Overlays:
         legend, at = self._axes.get_legend(), painter.clipBoundingRect().topLeft()
         if legend is None:
             return
+        at += QPointF(0, painter.fontMetrics().height())  # below the name of the vertical axis
         for swatch, text in zip(legend.get_patches(), legend.get_texts(), strict=True):
             box = self._box(painter, text.get_text())
             colour = QRectF(at, QSizeF(box.height(), box.height()))

@@ -18,7 +18,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QEasingCurve, QEvent, QObject, QPoint, Qt, QVariantAnimation, Signal
+from PySide6.QtCore import (
+    QEasingCurve,
+    QEvent,
+    QObject,
+    QPoint,
+    Qt,
+    QTimer,
+    QVariantAnimation,
+    Signal,
+)
 from PySide6.QtGui import (
     QCloseEvent,
     QContextMenuEvent,
@@ -251,6 +260,9 @@ class SceneView(View):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._land()
+        QTimer.singleShot(0, self, self._fit_again)  # once the plotter has its new size
+
+    def _fit_again(self) -> None:
         picture = self._contents.picture
         if picture is not None and picture.fitted:
             picture.camera.hidden = self._pixels_of_hint()

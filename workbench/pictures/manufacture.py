@@ -37,10 +37,10 @@ _HATCH = "#ff4d3d"  # viridis has no red
 
 _LIMITS = "Limits"
 _QUANTITIES = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
-MAPS = (_LIMITS, *_QUANTITIES)
+MAPS = (*_QUANTITIES, _LIMITS)
 """What can be shown of a face."""
 LEGEND = ("Within limits", "No limit is set", "Ball cutter")
-"""What the legend of the first map names beside quantities."""
+"""What the legend of the map of limits names beside quantities."""
 
 
 class _Map(NamedTuple):
@@ -50,7 +50,7 @@ class _Map(NamedTuple):
 
 
 def map_unit(name: str, unit: str) -> str:
-    """Unit of a map's values for a unit of length; none of `MAPS`' first, which counts limits."""
+    """Unit of a map's values for a unit of length; none for the map that counts limits."""
     return {_LIMITS: "", "Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
 
 
@@ -90,9 +90,9 @@ def _draw_limits(
     whole = np.isfinite(count)
     inside = "Within limits" if broken else "No limit is set"
     areas = {inside: count == 0, **{capitalised(key): mask & whole for key, mask in broken.items()}}
-    shown = [Patch(facecolor=WITHIN if name == inside else BEYOND) for name in areas]
-    parts = [f"{name} ({100 * mask.sum() / whole.sum():.0f} %)" for name, mask in areas.items()]
-    axes.legend(shown, parts, fontsize=FONT)
+    seen = {name: 100 * mask.sum() / whole.sum() for name, mask in areas.items() if mask.any()}
+    shown = [Patch(facecolor=WITHIN if name == inside else BEYOND) for name in seen]
+    axes.legend(shown, [f"{name} ({part:.2g} %)" for name, part in seen.items()], fontsize=FONT)
     return np.asarray(count)
 
 

@@ -134,17 +134,18 @@ def _error(
     hindered: bool,
 ) -> tuple[Finding, Level]:
     """The finding of the error, and its level without a goal."""
-    lowest = attainable.error
+    lowest, made = attainable.error, bool(session.scene.processes)
     if verified is None:
         error = relative_error(result.state, session.target)
-        sentence = Message("{error} computed error, not verified yet", error=percent(error))
+        found = percent(error)
+        designed = Message("{error} computed error, not verified yet", error=found)
+        as_made = Message("{error} computed error as made, not verified yet", error=found)
     else:
         error = verified.relative_l2_corrected
         found = verified_error(verified)
-        if session.scene.processes:
-            sentence = Message("{error} verified error as made", error=found)
-        else:
-            sentence = Message("{error} verified error", error=found)
+        designed = Message("{error} verified error", error=found)
+        as_made = Message("{error} verified error as made", error=found)
+    sentence = as_made if made else designed
     if lowest is None:
         sentence = Message("{sentence}.", sentence=sentence)
     else:
