@@ -50,3 +50,13 @@ def test_lines_follow_the_image_and_can_be_removed(axes):
 
 def both(axes):
     return list(zip(axes.texts, axes.lines, strict=True))
+
+
+def test_noise_is_one_artist_a_level_without_rings_around_single_cells(axes, rng):
+    noise = rng.random((192, 192))
+    noise[:96] = 0.0
+    noise[40, 60] = 1.0
+    Contours(axes, EXTENT).show(noise, 1.0)
+    assert len(axes.lines) == len(axes.texts) == 4
+    drawn = np.concatenate([line.get_ydata() for line in axes.lines])
+    assert np.isnan(drawn).sum() > 50 and np.nanmax(drawn) < 0.1

@@ -1,5 +1,6 @@
 """What is painted over an image: marks, numbers along its edges, and the colour bar."""
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -55,8 +56,7 @@ class Overlays:
             painter.fillPath(to_pixels.map(outlines), QBrush(colour, Qt.BrushStyle.BDiagPattern))
         for line in self._axes.lines:
             if line.get_visible():
-                places = to_pixels.map(_polygon(line.get_xydata()))
-                self._paint_line(painter, line, places)
+                self._paint_line(painter, line, to_pixels)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
         _make_small(painter)
         self._paint_legend(painter)
@@ -135,16 +135,20 @@ class Overlays:
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
         self._taken.append(box)
 
-    def _paint_line(self, painter: QPainter, line: Line2D, places: QPolygonF) -> None:
+    def _paint_line(self, painter: QPainter, line: Line2D, to_pixels: QTransform) -> None:
+        places = np.asarray(line.get_xydata())
+        pieces = np.split(places, np.flatnonzero(np.isnan(places[:, 0])))
+        parts = [to_pixels.map(_polygon(piece[np.isfinite(piece[:, 0])])) for piece in pieces]
         colour, width = QColor(to_hex(line.get_color())), _POINT * line.get_linewidth()
         for pen in (QPen(self._halo, width + 2), QPen(colour, width)):
             if line.get_linestyle() == "--":
                 pen.setDashPattern([_DASH / pen.widthF()] * 2)
             painter.setPen(pen)
-            painter.drawPolyline(places)
+            for part in parts:
+                painter.drawPolyline(part)
         if line.get_marker() == "o":
             painter.setBrush(colour)
-            for place in places.toList():
+            for place in itertools.chain.from_iterable(part.toList() for part in parts):
                 painter.drawEllipse(place, _DOT, _DOT)
             painter.setBrush(Qt.BrushStyle.NoBrush)
 

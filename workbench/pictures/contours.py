@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 _LINES = 6  # at most
 # Cells along an axis, at most: finer ones show noise, and are slow for large images.
 _CELLS = 192
+_NOISE = 20  # points of a line around a few cells
+_GAP = np.full((1, 2), np.nan)  # between the lines of a level, which are one artist
 _LOOK: dict[str, Any] = {"color": "#e8ecf2", "linewidth": 0.8}
 
 
@@ -29,7 +31,10 @@ class Contours:
         self._artists: list[Artist] = []
 
     def show(self, values: Array, top: float) -> None:
-        """Draw lines of an image (n_y, n_x), row 0 at the upper edge, on a scale up to ``top``."""
+        """Draw lines of an image (n_y, n_x), row 0 at the upper edge, on a scale up to ``top``.
+
+        Rings around a few cells are left out; noise has thousands of them.
+        """
         self.clear()
         left, right, bottom, upper = self._bounds
         n_y, n_x = shape = tuple(min(count, _CELLS) for count in values.shape)
@@ -40,10 +45,11 @@ class Contours:
         ten = 10.0 ** power_of(0.0, top)  # as on a colour bar
         for level in levels[(levels > 0) & (levels < top)].tolist():
             lines = [np.asarray(line) for line in found.lines(level)]
-            for line in lines:
-                self._artists += self._axes.plot(*line.T, **_LOOK)
             if lines:
                 longest = max(lines, key=len)
+                shown = [line for line in lines if len(line) > _NOISE or line is longest]
+                gapped = np.concatenate([part for line in shown for part in (line, _GAP)])
+                self._artists += self._axes.plot(*gapped[:-1].T, **_LOOK)
                 at = longest[longest[:, 0].argmax()]
                 text = written(level / ten, digits=3)
                 self._artists.append(label_place(self._axes, at, text, "left", "top"))
