@@ -67,7 +67,7 @@ class CoachMarks(QFrame):
         self._text.setFixedWidth(_WIDE)
         self._follow = QTimer(self, singleShot=True, interval=0)
         self._follow.timeout.connect(self._point)
-        self._watched = {window, *places}
+        self._watched: set[QWidget] = {window, *places}
         for each in self._watched:
             each.installEventFilter(self)
         self._show()
