@@ -68,8 +68,8 @@ class CoachMarks(QFrame):
         self._follow = QTimer(self, singleShot=True, interval=0)
         self._follow.timeout.connect(self._point)
         self._watched: set[QWidget] = {window, *places}
-        for each in self._watched:
-            each.installEventFilter(self)
+        for part in self._watched:
+            part.installEventFilter(self)
         self._show()
 
     @property
@@ -77,8 +77,8 @@ class CoachMarks(QFrame):
         return self._title.text()
 
     def end(self) -> None:
-        for each in self._watched:
-            each.removeEventFilter(self)
+        for part in self._watched:
+            part.removeEventFilter(self)
         self._follow.stop()
         for each in (self, self._frame):
             each.hide()
