@@ -7776,8 +7776,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Standard ball cutter by its diameter. Empty: the radius of the design task, or the largest standard cutter that fits everywhere.</source>
-            <translation>Kugelfräser üblicher Größe nach dem Durchmesser. Leer: der Radius der Aufgabe, oder der größte übliche Fräser, der überall passt.</translation>
+            <source>Standard ball cutter by its diameter. Empty: the cutter of the processes or limits of the design, else the largest standard cutter that fits everywhere.</source>
+            <translation>Handelsüblicher Kugelfräser nach seinem Durchmesser. Leer: der Fräser der Prozesse oder Grenzen des Entwurfs, sonst der größte handelsübliche, der überall passt.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7806,8 +7806,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
-            <translation>Größte Höhe des Materials zwischen benachbarten Bahnen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wenn das zu viele Bewegungen braucht.</translation>
+            <source>Largest height of material between neighbouring passes. Empty: that of the step-over among the processes of the design, else 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Größte Höhe des Materials zwischen benachbarten Bahnen. Leer: die des Bahnabstands unter den Prozessen des Entwurfs, sonst 1e-4 der größeren halben Breite, oder mehr, wo das zu viele Bewegungen braucht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

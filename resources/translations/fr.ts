@@ -7776,8 +7776,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Standard ball cutter by its diameter. Empty: the radius of the design task, or the largest standard cutter that fits everywhere.</source>
-            <translation>Fraise boule courante, par son diamètre. Vide : le rayon de la tâche, ou la plus grande fraise courante qui passe partout.</translation>
+            <source>Standard ball cutter by its diameter. Empty: the cutter of the processes or limits of the design, else the largest standard cutter that fits everywhere.</source>
+            <translation>Fraise boule du commerce, par son diamètre. Vide : la fraise des procédés ou des limites de la conception, sinon la plus grande fraise du commerce qui passe partout.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7806,8 +7806,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Largest height of material between neighbouring passes. Empty: 1e-4 of the larger half-width, or more where that needs too many moves.</source>
-            <translation>Hauteur maximale de matière entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande trop de mouvements.</translation>
+            <source>Largest height of material between neighbouring passes. Empty: that of the step-over among the processes of the design, else 1e-4 of the larger half-width, or more where that needs too many moves.</source>
+            <translation>Hauteur maximale de matière entre deux passes voisines. Vide : celle du pas entre passes des procédés de la conception, sinon 1e-4 de la plus grande demi-largeur, ou davantage où cela demande trop de mouvements.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

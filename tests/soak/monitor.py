@@ -17,7 +17,13 @@ _BEAT_MS = 50
 
 # Printed without a window manager, of the format that VTK's widget asks for each time, and of the
 # 3D view, whose own window outlasts that of a dock that is put back.
-_HARMLESS = ("This plugin does not support", "Setting a new default format", "Reparenting")
+# The last one: without a program that opens folders.
+_HARMLESS = (
+    "This plugin does not support",
+    "Setting a new default format",
+    "Reparenting",
+    "Unable to detect a launcher",
+)
 
 
 class Monitor(QObject):

@@ -220,7 +220,7 @@ def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
 
     y = plan.raster.y
     milling = Milling(ball_radius=plan.raster.radius, step_over=float(y[1] - y[0]))
-    later = (each for each in session.scene.processes if not isinstance(each, Milling))
+    later = (each for each in session.scene.processes if each.ball_cut is None)
     scene = session.scene.altered(processes=(milling, *later))
     steps = tracing_made(scene, session.target, result_of(session).state.heights, rays=RAYS)
     found = task.follow(steps, task.report)

@@ -260,9 +260,18 @@ class CutFace:
     # Centres of balls of radius R that are s apart along the offset surface of a concave face of
     # curvature κ touch it s / (1 − κ R) apart and leave scallops of s² / (8 R (1 − κ R)). On a
     # convex face κ is negative and scallops are lower.
+    def scallop_of(self, radius: float, step_over: float) -> float:
+        """Largest height of the scallops of cuts that are ``step_over`` apart, seen along z."""
+        equivalent_radius = self._equivalent(radius)
+        half = min(step_over / 2 * math.sqrt(1 + self._shape[0] ** 2), equivalent_radius)
+        return equivalent_radius - math.sqrt(equivalent_radius**2 - half**2)
+
+    def _equivalent(self, radius: float) -> float:
+        """Radius of a ball that leaves such scallops on a plane as this one where it fits worst."""
+        return radius * max(1 - self._shape[1] * radius, _TIGHTEST)
+
     def _counts(self, radius: float, scallop: float) -> tuple[list[float], list[int]]:
-        slope, concave = self._shape
-        equivalent_radius = radius * max(1 - concave * radius, _TIGHTEST)
+        slope, equivalent_radius = self._shape[0], self._equivalent(radius)
         height = min(scallop, equivalent_radius)
         apart = 2 * math.sqrt(2 * equivalent_radius * height - height**2) / math.sqrt(1 + slope**2)
         # At the rim the side of the ball touches. Between two lines the ball must be clear of it.

@@ -15,6 +15,8 @@ from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.progress import finished
+from workbench.scene.making.milling import Milling
+from workbench.scene.making.polishing import Polishing
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
 RADIUS, SCALLOP = 0.2, 0.002
@@ -312,3 +314,22 @@ def test_a_cutter_that_does_not_fit_is_refused_with_one_that_fits(program):
         program(height=height)
     (fitting,) = re.findall(r"one of (\S+) cm fits", str(no.value))
     assert 0 < program(height=height, tool_radius=float(fitting), scallop=0.004)[1].size < 0.008
+
+
+def test_the_cut_among_the_processes_of_a_design_is_written(make_design):
+    """With its cutter and step-over, which make scallops higher on the steep parts."""
+    bare = make_design()
+    milled = bare.scene.altered(
+        processes=(Milling(ball_radius=0.05, step_over=0.02), Polishing(width=0.01))
+    )
+    y = bare.net.positions[1]
+    flat = np.full(bare.net.shape, 0.5)
+    for heights, higher in ((flat + 0.3 * y, 1 + 0.3**2), (flat, 1.0)):
+        design = replace(make_design(heights=heights), scene=milled)
+        plan = finished(planning(design))
+        assert plan.raster.radius == 0.05
+        assert 0.95 * 0.02 < np.diff(plan.raster.y).max() <= 0.02 * (1 + 1e-9)
+        planned = 0.05 - math.sqrt(0.05**2 - higher * 0.01**2)
+        assert plan.scallop == pytest.approx(planned, rel=1e-3)
+    other = finished(planning(replace(design, options=(Cutting(tool_radius=0.1),))))
+    assert other.raster.radius == 0.1

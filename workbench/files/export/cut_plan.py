@@ -21,6 +21,7 @@ from workbench.geometry.roughing import Cutter, Roughing, plan_roughing
 from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Steps, within
+from workbench.scene.making.process import BallCut
 
 # Allowed excess and gouge over the scallop height: a cutter that fits has less.
 _EXCESS, _GOUGE = 2.0, 0.25
@@ -147,7 +148,16 @@ def _asked_radius(design: Design) -> float | None:
     cutting = design.cutting
     if cutting.cutter is not None:
         return cutter_radius(cutting.cutter, design)
-    return cutting.tool_radius or design.scene.run.min_tool_radius
+    if cutting.tool_radius is not None:
+        return cutting.tool_radius
+    planned = _planned(design)
+    return design.scene.run.min_tool_radius if planned is None else planned.radius
+
+
+def _planned(design: Design) -> BallCut | None:
+    """The cut among the processes of the scene."""
+    cuts = (process.ball_cut for process in design.scene.processes)
+    return next(filter(None, cuts), None)
 
 
 def _roughing_radius(design: Design) -> float | None:
@@ -192,7 +202,13 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     cutting, step = design.cutting, step_of(design)
     mm, top = 1e3 * design.metres, float(face.heights.max()) + design.cutting.stock_above
     fine = max(_FINE * max(design.net.half_width), _LEAST_SCALLOP / mm, 2 * step)
-    scallop = cutting.scallop or face.finest_scallop(radius, min(fine, radius / 2), _MOST)
+    planned = _planned(design)
+    if cutting.scallop is not None:
+        scallop = cutting.scallop
+    elif planned is not None and planned.radius == radius:
+        scallop = face.scallop_of(radius, planned.step_over)
+    else:
+        scallop = face.finest_scallop(radius, min(fine, radius / 2), _MOST)
     planned = face.plan_raster(radius, scallop, _MOST, step)
     raster = yield from within(planned, lambda done: 0.75 * done)
     deepest = float(raster.tip.min())

@@ -67,8 +67,8 @@ class Cutting(OptionGroup):
     )
     cutter: str | None = _choice(
         "Ball cutter",
-        "Standard ball cutter by its diameter. Empty: the radius of the design task, or the "
-        "largest standard cutter that fits everywhere.",
+        "Standard ball cutter by its diameter. Empty: the cutter of the processes or limits of the "
+        "design, else the largest standard cutter that fits everywhere.",
         _NAMES,
         None,
         empty="automatic",
@@ -80,8 +80,9 @@ class Cutting(OptionGroup):
     )
     scallop: float | None = _length(
         "Scallop height",
-        "Largest height of material between neighbouring passes. Empty: 1e-4 of the larger "
-        "half-width, or more where that needs too many moves.",
+        "Largest height of material between neighbouring passes. Empty: that of the step-over "
+        "among the processes of the design, else 1e-4 of the larger half-width, or more where that "
+        "needs too many moves.",
         empty="automatic",
     )
     rim: float = _length("Fixture rim", "Width of stock around the part for clamping.", 0.0)

@@ -9,7 +9,7 @@ from workbench.levels import EXPERT
 from workbench.powers import written
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, about
-from workbench.scene.making.process import Process, check_step, check_width
+from workbench.scene.making.process import BallCut, Process, check_step, check_width
 from workbench.scene.making.relief import Grooves
 from workbench.scene.part import NonNegative, Positive
 
@@ -52,6 +52,11 @@ class Milling(Process):
     def scallop(self) -> float:
         """Height of the scallops on a plane across the axis, scene units."""
         return self.ball_radius - math.sqrt(self.ball_radius**2 - self.step_over**2 / 4)
+
+    @property
+    def ball_cut(self) -> BallCut:
+        """See `Process.ball_cut`."""
+        return BallCut(self.ball_radius, self.step_over)
 
     @property
     def reliefs(self) -> tuple[Grooves, ...]:

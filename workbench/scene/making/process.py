@@ -25,8 +25,20 @@ Shrinkage = Annotated[
 ]
 
 
+class BallCut(NamedTuple):
+    """A cut with a ball cutter in parallel passes."""
+
+    radius: float  # of the ball, scene units
+    step_over: float  # seen along z, scene units
+
+
 class Process(Part):
     """One step of manufacture: what it leaves of each designed face."""
+
+    @property
+    def ball_cut(self) -> BallCut | None:
+        """The cut that it is, for programs of milling machines; None for other processes."""
+        return None
 
     @property
     def smoothing(self) -> float:
