@@ -45,13 +45,13 @@ def open_window(example: str, size: QSize) -> MainWindow:
     return window
 
 
-def design(window: MainWindow) -> None:
-    """Run the design and the check of its lens to their ends."""
+def design(window: MainWindow, command: str = "start") -> None:
+    """Run the design and the check of its lens to their ends; ``command`` begins it."""
     assert window.loaded is not None
     control, check = window.loaded.control, window.loaded.runs.check
     done = QEventLoop()
     control.ended.connect(done.quit, Qt.ConnectionType.SingleShotConnection)
-    window.start()
+    window.commands[command].trigger()
     done.exec()
     for outcome in (check.checked, check.failed):
         outcome.connect(done.quit, Qt.ConnectionType.SingleShotConnection)

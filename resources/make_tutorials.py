@@ -16,6 +16,8 @@ import resources
 from resources.make_screenshot import begin, design, open_window, settle
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog
+from ui.manufacture.plan import PlanDialog
+from ui.widgets import theme
 from workbench.jobs import Job
 from workbench.jobs.lenses import BeamShaper, Experiment, LedRectangle, StreetLight, SunPlate
 from workbench.jobs.prospect import Prospect
@@ -66,18 +68,28 @@ def _waits(label: QLabel) -> bool:
 
 
 def sun_plate(window: MainWindow) -> None:
-    """A plate for the sun, from the picture to the cutter."""
+    """A plate for the sun, from the picture to the program of the milling machine."""
+    window.commands["new"].trigger()
+    settle(1000)
+    take("sun-plate-start", window.grab())
     choose(window, SunPlate, "sun-plate-job")
     design(window)
     take("sun-plate-lens", window.grab())
-    show(window, "go_manufacture")
-    take("sun-plate-shop", window.grab())
+    show(window, "workspace_check")
+    take("sun-plate-check", window.grab())
+    show(window, "workspace_make")
+    take("sun-plate-make", window.grab())
+    window.commands["plan"].trigger()
+    (plan,) = window.findChildren(PlanDialog)
+    until(plan.use.isEnabled, "the plans")
+    take("sun-plate-plan", plan.grab())
+    plan.use.click()
+    design(window, "continue")
+    take("sun-plate-made", window.grab())
     pictures: list[QPixmap] = []
 
     def look() -> None:
         (dialog,) = window.findChildren(CutterDialog)
-        dialog.fields.enter(tool_radius=1.5)
-        dialog.simulate()
         until(dialog.look.isEnabled, "the cut")
         dialog.trace()
         until(dialog.look.isEnabled, "light through the cut")
@@ -135,7 +147,7 @@ TUTORIALS = {
 
 def make(names: list[str]) -> None:
     """Do some tutorials, or all."""
-    begin()
+    theme.choose(begin(), "dark")
     resources.path("manual", "images").mkdir(exist_ok=True)
     for name in names or TUTORIALS:
         window = open_window("tophat", _SIZE)
