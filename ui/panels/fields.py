@@ -53,7 +53,8 @@ class Row(QWidget):
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
         self._unit = QLabel()
-        self._unit.setVisible(self.measure != Measure())
+        if self.measure == Measure():
+            self._unit.hide()
         self._refusal = Refusal()
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)

@@ -1,9 +1,10 @@
 """Theme of the window: Fusion in the system's colours, and icons in the text colour."""
 
+from functools import cache
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, Qt, QTimer
-from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -91,7 +92,6 @@ def is_dark(palette: QPalette) -> bool:
 
 def icon(name: str, palette: QPalette) -> QIcon:
     """Return an icon of resources/icons in the text colour, paler when disabled."""
-    drawing = _icon_file(name).read_text(encoding="utf-8")
     made = QIcon()
     groups = {
         QIcon.Mode.Normal: QPalette.ColorGroup.Active,
@@ -100,7 +100,7 @@ def icon(name: str, palette: QPalette) -> QIcon:
     for mode, group in groups.items():
         colour = palette.color(group, QPalette.ColorRole.ButtonText)
         for size in _ICON_SIZES:
-            made.addPixmap(_drawn(drawing, colour, size), mode)
+            made.addPixmap(QPixmap.fromImage(_drawn(name, colour.name(), size)), mode)
     return made
 
 
@@ -144,14 +144,15 @@ def _icon_file(name: str) -> Path:
     return resources.path("icons", f"{name}.svg")
 
 
-def _drawn(drawing: str, colour: QColor, size: int) -> QPixmap:
-    renderer = QSvgRenderer(QByteArray(drawing.replace(_INK, colour.name()).encode()))
-    pixmap = QPixmap(size, size)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    renderer.render(painter)
+@cache  # each window has the same icons
+def _drawn(name: str, colour: str, size: int) -> QImage:
+    drawing = _icon_file(name).read_text(encoding="utf-8").replace(_INK, colour)
+    image = QImage(size, size, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
+    QSvgRenderer(QByteArray(drawing.encode())).render(painter)
     painter.end()
-    return pixmap
+    return image
 
 
 def _colour(application: QApplication) -> None:

@@ -9,6 +9,7 @@ element of the same name.
 import copy
 import re
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 from workbench.errors import Refused
@@ -34,10 +35,15 @@ def steps_of(whole: object, path: str) -> tuple[Step, ...]:
     `whole`: where the path begins. In a scene, elements and faces may be named. Raises `Refused` if
     the text is no path.
     """
+    steps = _steps(path)
+    return tuple(_indexed(whole, steps)) if isinstance(whole, Scene) else steps
+
+
+@lru_cache(maxsize=4096)  # a form asks for the same few hundred at every edit
+def _steps(path: str) -> tuple[Step, ...]:
     if not is_path(path):
         raise Refused(path, Message("no path of a field; a path as in lens.thickness is needed"))
-    steps = tuple(int(found[2]) if found[2] else found[1] for found in _STEP.finditer(path))
-    return tuple(_indexed(whole, steps)) if isinstance(whole, Scene) else steps
+    return tuple(int(found[2]) if found[2] else found[1] for found in _STEP.finditer(path))
 
 
 def value_at(whole: object, path: str) -> Any:
