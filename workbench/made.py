@@ -53,7 +53,7 @@ def as_made(session: Session, rays: int = 1_000_000) -> "tuple[MadeStep, ...]":
     >>> run = DesignRun(begin(Scene.from_data(data)), iterations=1)
     >>> for snapshot in run:
     ...     pass
-    >>> [step.title for step in as_made(run.session, rays=100_000)]
+    >>> [step.title for step in as_made(run.session, rays=20_000)]
     ['', 'Polishing']
     """
     from workbench.analysis.making.as_made import tracing_made  # late: it loads torch
@@ -207,8 +207,8 @@ def inspect(
     >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
     >>> for snapshot in run:
     ...     pass
-    >>> written = export(run.session, "part.height.csv")
-    >>> found = inspect(run.session, "part.height.csv")
+    >>> written = export(run.session, "part.stl", chord_error=1e-3)
+    >>> found = inspect(run.session, "part.stl")
     >>> found.parts[0].residual.rms < 1e-6
     True
     >>> list(found.as_measured(found.parts[0]))  # heights for `workbench.check`
@@ -252,8 +252,8 @@ def corrected(
     >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
     >>> for snapshot in run:
     ...     pass
-    >>> written = export(run.session, "made.height.csv")
-    >>> again = corrected(run.session, inspect(run.session, "made.height.csv"), rays=1_000_000)
+    >>> written = export(run.session, "made.stl", chord_error=1e-3)
+    >>> again = corrected(run.session, inspect(run.session, "made.stl"), rays=100_000)
     >>> again.result is not None
     True
     """

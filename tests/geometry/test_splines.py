@@ -1,5 +1,7 @@
 """B-splines: basis and bounds."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -86,31 +88,28 @@ def derivative(net, heights, order, x, y):
     return values
 
 
-@pytest.mark.parametrize("shape, degree", NETS)
-@pytest.mark.parametrize("order", ORDERS)
-class TestRange:
-    def dense(self, net, heights, order, parts):
-        """Values at places all over each part: [part_x, part_y, sample]."""
-        samples = 9
-        at = []
-        for n, p, r, k in zip(net.shape, net.degree, net.half_width, parts, strict=True):
-            cells = (n - p) * k
-            within = np.linspace(1e-12, 1 - 1e-12, samples)  # both ends, but in no other part
-            places = (np.arange(cells)[:, None] + within) / cells
-            at.append((2 * places.ravel() - 1) * r)
-        values = derivative(net, heights, order, *at)
-        m_x, m_y = (len(a) // samples for a in at)
-        return (
-            values.reshape(m_x, samples, m_y, samples).transpose(0, 2, 1, 3).reshape(m_x, m_y, -1)
-        )
+def dense(net, heights, order, parts):
+    """Values at places all over each part: [part_x, part_y, sample]."""
+    samples = 9
+    at = []
+    for n, p, r, k in zip(net.shape, net.degree, net.half_width, parts, strict=True):
+        cells = (n - p) * k
+        within = np.linspace(1e-12, 1 - 1e-12, samples)  # both ends, but in no other part
+        places = (np.arange(cells)[:, None] + within) / cells
+        at.append((2 * places.ravel() - 1) * r)
+    values = derivative(net, heights, order, *at)
+    m_x, m_y = (len(a) // samples for a in at)
+    return values.reshape(m_x, samples, m_y, samples).transpose(0, 2, 1, 3).reshape(m_x, m_y, -1)
 
-    @pytest.mark.parametrize("parts", [(1, 1), (3, 2)])
-    def test_values_stay_within_the_bounds(self, rng, shape, degree, order, parts):
-        net = ControlNet(shape, degree, (1.5, 0.7))
-        heights = rng.normal(size=shape)
+
+@pytest.mark.parametrize("shape, degree", NETS)
+def test_values_stay_within_the_bounds(rng, shape, degree):
+    net = ControlNet(shape, degree, (1.5, 0.7))
+    heights = rng.normal(size=shape)
+    for order, parts in product(ORDERS, [(1, 1), (3, 2)]):
         low, high = derivative_range(net, heights, order, parts)
-        values = self.dense(net, heights, order, parts)
+        values = dense(net, heights, order, parts)
         slack = 1e-11 * (1 + np.abs(values).max())
         assert low.shape == values.shape[:2]
-        assert (low <= values.min(axis=2) + slack).all()
-        assert (high >= values.max(axis=2) - slack).all()
+        assert (low <= values.min(axis=2) + slack).all(), (order, parts)
+        assert (high >= values.max(axis=2) - slack).all(), (order, parts)

@@ -66,16 +66,16 @@ class TestEveryFormat:
 
 
 @pytest.mark.parametrize(
-    "scene_unit, mesh_unit, width",
+    "ending, scene_unit, mesh_unit, width",
     [
-        ("inch", "mm", 50.8),
-        ("cm", "mm", 20),
-        ("m", "mm", 2000),
-        ("inch", "inch", 2),
-        ("mm", "cm", 0.2),
+        (".3mf", "inch", "mm", 50.8),
+        (".stl", "cm", "mm", 20),
+        (".ply", "m", "mm", 2000),
+        (".3mf", "inch", "inch", 2),
+        (".obj", "inch", "inch", 2),
+        (".3mf", "mm", "cm", 0.2),
     ],
 )
-@pytest.mark.parametrize("ending", [".stl", ".obj", ".ply", ".3mf"])
 def test_lengths_are_in_the_unit_that_file_and_message_state(
     make_design, write, ending, scene_unit, mesh_unit, width
 ):
