@@ -171,5 +171,12 @@ def fewer_rays(monkeypatch):
 
 
 @pytest.fixture
+def few_plans(monkeypatch):
+    """Plans of a shop compare fewer widths of polishing and steps of milling."""
+    monkeypatch.setattr("workbench.analysis.making.plan._WIDTHS", (0.0, 0.6))
+    monkeypatch.setattr("workbench.analysis.making.plan._HALVINGS", 3)
+
+
+@pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(7)

@@ -49,7 +49,7 @@ def test_polishing_pays_where_it_is_cheap(plate):
     assert cheap.milling.step_over > dear.milling.step_over
 
 
-def test_what_cannot_be_reached_is_refused_with_what_can_be(plate):
+def test_what_cannot_be_reached_is_refused_with_what_can_be(plate, few_plans):
     scene, target, heights = plate
     with pytest.raises(
         Refused, match=r"error: 0\.01 % as made is not reached .* more than [\d.]+ % may be"

@@ -44,7 +44,9 @@ def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
 def test_a_tile_is_cut_out_where_it_is_asked_for_in_meshes_alone(freeform, lens, tmp_path):
     path, package = tmp_path / "a.obj", tmp_path / "a.zip"
     given = "--tile-side", "0.5", "--tile-x", "0.5", "--tile-y", "-0.25"
-    status, stdout, _ = freeform("export", lens, path, package, "--tool-radius", "0.05", *given)
+    status, stdout, _ = freeform(
+        "export", lens, path, package, "--tool-radius", "0.05", "--scallop", "5e-3", *given
+    )
     assert status == 0
     assert stdout.splitlines()[0].endswith(", test tile, lengths in mm")
     bounds = trimesh.load_mesh(path).bounds[:, :2].ravel().tolist()

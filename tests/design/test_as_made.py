@@ -60,7 +60,7 @@ class TestRun:
         assert relative_error(state, target) == pytest.approx(
             made.distance, abs=made.off + 0.05 * made.distance
         )
-        found = validate(scene, target, state.heights, rays=400_000, accuracy=1e-3)
+        found = validate(scene, target, state.heights, rays=20_000, accuracy=1e-3)
         assert found.by_cells is None
         assert "the relief that manufacture leaves scatters the light" in str(found.left_out)
 

@@ -1,5 +1,6 @@
 """A process that is killed while it saves leaves the old file or the new one, whole."""
 
+import gc
 import itertools
 import multiprocessing
 import os
@@ -42,6 +43,7 @@ def export_all(session, folder):
 
 def save_for_ever(write, sessions, folder, message):
     """Save one after the other again and again; report how long the first round took."""
+    gc.freeze()  # a search for garbage would copy all memory of the process that was forked
     begin = time.monotonic()
     for round_ in itertools.count():
         for session in sessions:

@@ -5,6 +5,9 @@ import pytest
 from ui.manufacture.plan import PlanDialog
 
 
+pytestmark = pytest.mark.usefixtures("few_plans")
+
+
 @pytest.fixture
 def chosen():
     return []
