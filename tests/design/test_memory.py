@@ -110,6 +110,7 @@ def peaks():
     return json.loads(done.stdout)
 
 
+@pytest.mark.full
 @pytest.mark.skipif(sys.platform != "linux", reason="needs the account of Linux's kernel")
 @pytest.mark.parametrize("name", MEASURED)
 def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.signal import convolve2d
 
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import convolved, convolved_in_place
@@ -79,6 +78,8 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
 
 @pytest.mark.parametrize("shape", [(3, 5), (1, 4), (6, 2)])
 def test_convolutions_are_those_of_sums(shape, rng):
+    from scipy.signal import convolve2d  # late: it takes long to import
+
     image, kernel = rng.random((9, 8)), rng.random(shape)
     whole = convolve2d(image, kernel)
     np.testing.assert_allclose(convolved(image, kernel), whole, atol=1e-12)

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 from scipy.optimize import nnls
-from scipy.signal import fftconvolve
 
 from workbench.analysis.metrics import relative_l2
 from workbench.extended.blur import Blur
@@ -125,6 +124,8 @@ def test_image_found_is_that_of_the_light_found():
 
 
 def test_light_in_parts_of_pixels_comes_nearer_than_light_spread_over_whole_ones():
+    from scipy.signal import fftconvolve  # late: it takes long to import
+
     target = np.zeros((24, 30))
     target[6:15, 8:22] = 1
     blur, errors = Blur((5.0, 5.0), "ellipse"), []

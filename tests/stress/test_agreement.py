@@ -19,14 +19,18 @@ SEED = int(os.environ.get("FREEFORM_STRESS_SEED", "1"))
 PARTS, EACH = 40, 10
 # Some that are traced fast; together of all kinds of sources, optics and receivers.
 FEW = (3, 4, 18, 43, 44, 45, 48, 57)
-# A designed mirror between lenses, and a fixed B-spline face, both in light of two colours; a point
-# close to a train with a small net.
-FEW_TRAINS = (6, 43, 145)
+# Trains: a designed mirror between lenses, and a fixed B-spline face, both in light of two colours;
+# and a point close to a small net.
+IN_COLOURS, NEAR_POINT = (6, 43), 145
 
 
 @pytest.mark.parametrize(
     ("draw", "number"),
-    [*((TaskDraw, each) for each in FEW), *((TrainDraw, each) for each in FEW_TRAINS)],
+    [
+        *((TaskDraw, each) for each in FEW),
+        *(pytest.param(TrainDraw, each, marks=pytest.mark.full) for each in IN_COLOURS),
+        (TrainDraw, NEAR_POINT),
+    ],
 )
 def test_some_tasks(draw, number, monkeypatch):
     monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 20)  # made sooner
@@ -82,9 +86,16 @@ REPORTED = {
     | light("photometric", file="crooked.ies", position=[0.4, 0, -0.5])
     | screen(-0.32, [8, 4.8], [16, 200], tilt=[10, 0]),
 }
+SLOWEST = "a lamp of a file right before the lens"
 
 
-@pytest.mark.parametrize("task", REPORTED.values(), ids=REPORTED.keys())
+@pytest.mark.parametrize(
+    "task",
+    [
+        pytest.param(task, marks=pytest.mark.full if name == SLOWEST else (), id=name)
+        for name, task in REPORTED.items()
+    ],
+)
 def test_tasks_that_users_reported(task, monkeypatch):
     monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 20)  # made sooner
     data = {"version": 2, "unit": "mm", "target": {"builtin": "tophat"}, "run": {"iterations": 1}}

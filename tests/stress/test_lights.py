@@ -9,7 +9,7 @@ from tests.stress.lights import lit_cases
 from tests.stress.scenes import Case, plain
 
 DTYPES = [torch.float64, torch.float32]
-FEW = settings(max_examples=12, suppress_health_check=list(HealthCheck))
+FEW = settings(max_examples=6, suppress_health_check=list(HealthCheck))
 MANY = settings(max_examples=2000, suppress_health_check=list(HealthCheck))
 
 FAR_FIELD = {"half_angle": [40.0, 30.0], "center": [5.0, -10.0], "pixels": [16, 17]}

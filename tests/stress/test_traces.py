@@ -10,7 +10,7 @@ from tests.stress.symmetry import check_mirrored, check_units
 from workbench.optics.plan import Plan
 
 DTYPES = [torch.float64, torch.float32]
-FEW = settings(max_examples=24, suppress_health_check=list(HealthCheck))
+FEW = settings(max_examples=12, suppress_health_check=list(HealthCheck))
 MANY = settings(max_examples=2000, suppress_health_check=list(HealthCheck))
 FAR = {"kind": "point", "emission": "uniform", "rays": 500}
 NEAR = {"kind": "point", "emission": "lambertian", "rays": 500}

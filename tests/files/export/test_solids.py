@@ -6,9 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from OCP.Geom import Geom_Line
-from OCP.GeomAPI import GeomAPI_IntCS
-from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
 
 from workbench.files.export.iges import write_iges, write_iges_face
 from workbench.files.export.step import write_step, write_step_face
@@ -144,6 +141,10 @@ def test_step_is_a_valid_solid(make_mirror, tmp_path, read_solid, outline):
 def test_the_sheet_of_a_mirror_is_its_face_alone(
     make_mirror, write, read_solid, name, writer, outline
 ):
+    from OCP.Geom import Geom_Line  # late: OpenCASCADE takes a second to import
+    from OCP.GeomAPI import GeomAPI_IntCS
+    from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
+
     design = make_mirror({"mirror.outline": outline})
     path, _ = write(writer, design, name)
     sheet = read_solid(path)

@@ -4,7 +4,6 @@ import pytest
 
 from ui.manufacture.plan import PlanDialog
 
-
 pytestmark = pytest.mark.usefixtures("few_plans")
 
 

@@ -118,12 +118,12 @@ def test_goals_are_typed_and_judged(window, run, qtbot):
     qtbot.waitUntil(lambda: light.limit.text() == "90.5 %")
 
 
-@pytest.mark.parametrize("text", ["120", "0", "-3 %"])
-def test_a_goal_that_is_impossible_is_not_taken(window, run, qtbot, text):
+def test_a_goal_that_is_impossible_is_not_taken(window, run, qtbot):
     run(SLOW_RUN)
     light = card(window, "light", qtbot)
-    fill(qtbot, light.limit, text)
-    assert light.limit.text() == "" and window.document.session.scene.run.min_light is None
+    for text in ("120", "0", "-3 %"):
+        fill(qtbot, light.limit, text)
+        assert light.limit.text() == "" and window.document.session.scene.run.min_light is None
 
 
 def test_cards_are_marked_within_a_tenth_of_a_second_after_an_edit(window, run, qtbot):
