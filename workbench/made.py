@@ -18,25 +18,25 @@ from workbench.progress import finished
 from workbench.reading import opened
 
 if TYPE_CHECKING:
-    from workbench.analysis.making.as_made import MadeStep
     from workbench.analysis.making.photograph import Corner, Photograph
     from workbench.analysis.making.plan import ShopPlans
     from workbench.analysis.making.robust import ExpectedError
+    from workbench.analysis.validation_figures import MadeStep
     from workbench.arrays import Array
     from workbench.measured.surfaces import PictureScale
 
 File = str | PathLike[str]
 
 
-def as_made(session: Session, rays: int = 1_000_000) -> "tuple[MadeStep, ...]":
-    """Errors of a lens as designed and after each of the scene's processes.
+def as_made(session: Session, rays: int = 4_000_000) -> "tuple[MadeStep, ...]":
+    """Errors of a lens as designed and after each of the scene's processes; none without them.
 
     Parameters
     ----------
     session : Session
         A session with a lens, whose scene has processes.
     rays : int
-        Each error comes from at most four times as many random rays.
+        Rays of the check of the lens as made; each other error comes from at most as many.
 
     Raises
     ------
@@ -56,10 +56,10 @@ def as_made(session: Session, rays: int = 1_000_000) -> "tuple[MadeStep, ...]":
     >>> [step.title for step in as_made(run.session, rays=20_000)]
     ['', 'Polishing']
     """
-    from workbench.analysis.making.as_made import tracing_made  # late: it loads torch
+    from workbench.analysis.making.as_made import checking
 
     heights = result_of(session).state.heights
-    return finished(tracing_made(session.scene, session.target, heights, rays=rays))
+    return finished(checking(session.scene, session.target, heights, rays)).steps
 
 
 def plan(

@@ -2219,21 +2219,6 @@
             <translation>Der Fräser passt.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>{process} {error:.3g} % (± {off:.1g})</source>
-            <translation>{process} {error:.3g} % (± {off:.1g})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>As designed</source>
-            <translation>Wie entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Error: {errors}.</source>
-            <translation>Fehler: {errors}.</translation>
-        </message>
-        <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>Empty: the limit of the design task. Stored for the next start.</source>
             <translation>Leer: die Grenze der Aufgabe. Wird für den nächsten Start gespeichert.</translation>
@@ -3417,6 +3402,11 @@
             <location filename="../../ui/run/check_figures.py" />
             <source>rays</source>
             <translation>Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 error as designed, and after each process of manufacture and those before it; the last one is that of the finished part.</source>
+            <translation>Relativer L2-Fehler wie entworfen und nach jedem Prozess der Fertigung samt denen davor; der letzte ist der des fertigen Teils.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -10568,6 +10558,21 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/reading.py" />
             <source>cannot be read: {problem}</source>
             <translation>lässt sich nicht lesen: {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>error as designed</source>
+            <translation>Fehler wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error}, {change:+.3f} percentage points by this process ({interval})</source>
+            <translation>{error}, {change:+.3f} Prozentpunkte durch diesen Prozess ({interval})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error} ({interval})</source>
+            <translation>{error} ({interval})</translation>
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />

@@ -2219,21 +2219,6 @@
             <translation>La fraise convient.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>{process} {error:.3g} % (± {off:.1g})</source>
-            <translation>{process} {error:.3g} % (± {off:.1g})</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>As designed</source>
-            <translation>Telle que conçue</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Error: {errors}.</source>
-            <translation>Erreur : {errors}.</translation>
-        </message>
-        <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>Empty: the limit of the design task. Stored for the next start.</source>
             <translation>Vide : la limite de la tâche. Conservé pour le prochain démarrage.</translation>
@@ -3417,6 +3402,11 @@
             <location filename="../../ui/run/check_figures.py" />
             <source>rays</source>
             <translation>rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>Relative L2 error as designed, and after each process of manufacture and those before it; the last one is that of the finished part.</source>
+            <translation>Erreur L2 relative telle que conçue, puis après chaque procédé de fabrication et ceux qui le précèdent ; la dernière est celle de la pièce finie.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -10568,6 +10558,21 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/reading.py" />
             <source>cannot be read: {problem}</source>
             <translation>ne peut pas être lu : {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>error as designed</source>
+            <translation>erreur telle que conçue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error}, {change:+.3f} percentage points by this process ({interval})</source>
+            <translation>{error}, {change:+.3f} points de pourcentage par ce procédé ({interval})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error} ({interval})</source>
+            <translation>{error} ({interval})</translation>
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import changed
-from workbench.analysis.making.as_made import tracing_made
+from workbench.analysis.making.as_made import checking
 from workbench.analysis.making.plan import fitting_ball, planning
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.design.run import run
@@ -32,9 +32,9 @@ def test_the_check_finds_what_the_cheapest_plan_promises(plate):
     assert minutes == sorted(minutes)
     plan = found.plans[0]
     made = scene.altered(processes=plan.processes)
-    error = finished(tracing_made(made, target, heights, rays=1_000_000))[-1].error
-    assert error.distance == pytest.approx(plan.error, rel=0.03)
-    assert error.distance < 1.03 * found.wanted
+    error = finished(checking(made, target, heights)).steps[-1].error
+    assert error == pytest.approx(plan.error, rel=0.03)
+    assert error < 1.03 * found.wanted
 
 
 @pytest.mark.full

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.analysis.making.as_made import tracing_made
+from workbench.analysis.making.as_made import checking
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
 from workbench.design.levels import finest_image, judging_image
@@ -54,13 +54,14 @@ class TestRun:
         target = letter()
         scene = scene_of(make_scene, _MILLING, _POLISHING | {"width": 0.004})
         state = best(scene, target)
-        steps = finished(tracing_made(scene, target, state.heights, rays=1_000_000))
-        assert [step.title for step in steps] == ["", "Milling", "Polishing"]
-        made = steps[-1].error
-        assert relative_error(state, target) == pytest.approx(
-            made.distance, abs=made.off + 0.05 * made.distance
-        )
-        found = validate(scene, target, state.heights, rays=20_000, accuracy=1e-3)
+        found = finished(checking(scene, target, state.heights, rays=1_000_000))
+        designed, milled, made = found.steps
+        assert [step.title for step in found.steps] == ["", "Milling", "Polishing"]
+        assert made.error == found.relative_l2_corrected
+        assert milled.change == milled.error - designed.error
+        off = max(made.interval) - made.error
+        seen = relative_error(state, target)
+        assert seen == pytest.approx(made.error, abs=off + 0.05 * made.error)
         assert found.by_cells is None
         assert "the relief that manufacture leaves scatters the light" in str(found.left_out)
 

@@ -1,6 +1,5 @@
 """Dialog of a ball cutter. Each entry restarts the simulation of the cut."""
 
-from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -24,12 +23,9 @@ from workbench.files.export.options import Chosen, Cutting
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from workbench.analysis.making.as_made import MadeStep
     from workbench.files.export.cut_plan import CutPlan
     from workbench.files.session import Session
 
-RAYS = 1_000_000
-"""Through the cut; some ten seconds."""
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
     "Writes the passes of a ball cutter as G-code in millimetres. The cut is simulated first; a "
@@ -191,19 +187,6 @@ def _words(plan: "CutPlan", unit: str) -> str:
     return f"\N{CHECK MARK} {tr('The cutter fits.')} {found}"
 
 
-def words_of(steps: "Sequence[MadeStep]") -> str:
-    """Errors as designed and after each process, in a sentence."""
-    errors = (
-        tr("{process} {error:.3g} % (± {off:.1g})").format(
-            process=tr(step.title) if step.title else tr("As designed"),
-            error=100 * step.error.distance,
-            off=100 * step.error.off,
-        )
-        for step in steps
-    )
-    return tr("Error: {errors}.").format(errors=", ".join(errors))
-
-
 def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
     from workbench.design.session import result_of  # late: take long to import
     from workbench.files.export.cut_plan import planning
@@ -214,14 +197,17 @@ def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
 
 
 def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
-    from workbench.analysis.making.as_made import tracing_made  # late: takes long to import
+    from workbench.analysis.making.as_made import checking  # late: takes long to import
     from workbench.design.session import result_of
+    from workbench.report.figures import made_rows
     from workbench.scene.making.milling import Milling
 
     y = plan.raster.y
     milling = Milling(ball_radius=plan.raster.radius, step_over=float(y[1] - y[0]))
     later = (each for each in session.scene.processes if each.ball_cut is None)
     scene = session.scene.altered(processes=(milling, *later))
-    steps = tracing_made(scene, session.target, result_of(session).state.heights, rays=RAYS)
+    steps = checking(scene, session.target, result_of(session).state.heights)
     found = task.follow(steps, task.report)
-    return None if found is None else words_of(found)
+    if found is None:
+        return None
+    return "\n".join(capitalised(f"{tr(name)}: {tr(value)}") for name, value in made_rows(found))

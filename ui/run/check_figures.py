@@ -105,6 +105,10 @@ _TIPS = later(
 )
 
 
+_OF_STEP = later(
+    "Relative L2 error as designed, and after each process of manufacture and those before it; "
+    "the last one is that of the finished part."
+)
 _OF_REGION = later(
     "Fraction of the emitted flux on the area, and its light pixel by pixel. U₀ is minimum / "
     "average, U₁ minimum / maximum; 1 is uniform."
@@ -244,12 +248,13 @@ def _rows_of(
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.measured.lamps import light_unit
     from workbench.optics.account import words_of
-    from workbench.report.figures import account_rows, check_rows, region_rows
+    from workbench.report.figures import account_rows, check_rows, made_rows, region_rows
 
     account = (found.by_cells or found).account
     parts = account_rows(account, scene, light_unit(scene))
     titles = [words_of(part, scene.receiver) for part in account.parts_in(scene)]
     rows = [
+        *((row, tr(row.name), _OF_STEP) for row in made_rows(found)),
         *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference, remark)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),
         *(

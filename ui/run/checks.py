@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 RAYS = 4_000_000
 """Rays of a thorough check."""
 
-ACCURACY = 1e-3
-"""Relative error of the image by cells in a thorough check."""
+_FEW_RAYS = 1_000_000  # enough to distinguish successive errors
+_ROUGH = 5e-3  # error of an image by cells that such a check may have
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,15 +58,19 @@ class CheckedLens:
 
 
 def check(
-    lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
+    lens: CheckedLens, rays: int | None, task: Task
 ) -> "tuple[Validation, float | None] | None":
-    """Check a lens in a thread; reports the finished part."""
+    """Check a lens in a thread, roughly without a number of rays; reports the finished part."""
     # Late: what it stands on is slow to import.
+    from workbench.analysis.making.as_made import checking
     from workbench.analysis.metrics import relative_l2
     from workbench.analysis.validation import validating
 
-    scene, target = lens.session.scene, lens.session.target
-    steps = validating(scene, target, lens.heights, rays, threads=threads, accuracy=accuracy)
+    lit = lens.session.scene, lens.session.target, lens.heights
+    if rays is None:
+        steps = validating(*lit, _FEW_RAYS, threads=1, accuracy=_ROUGH)
+    else:
+        steps = checking(*lit, rays)
     found = task.follow(steps, task.report)
     if found is None:
         return None
@@ -133,7 +137,7 @@ class Check(QObject):
     def _begin(self, shown: "Frame") -> None:
         self._asked, self._asked_rays = shown, self._rays
         lens = CheckedLens.of(shown.session, shown.state)
-        work = partial(check, lens, self._rays, None, ACCURACY)
+        work = partial(check, lens, self._rays)
         self.background.begin(work, lens, tr("Check"))
 
     def cancel(self) -> None:
@@ -183,8 +187,6 @@ class Check(QObject):
         self.under_way_changed.emit(False)
 
 
-_FEW_RAYS = 1_000_000  # enough to distinguish successive errors
-_ROUGH = 5e-3  # error of an image by cells that such a check may have
 _REST = 5.0  # seconds between checks, at least
 _RESTS = 19.0  # seconds of rest for each second of a check: 5 % of one core
 _GUESS = 0.5  # seconds that the first one takes
@@ -238,7 +240,7 @@ class RunCheck(QObject):
     def _check(self, frame: "Frame") -> None:
         self._began = monotonic()
         lens = CheckedLens(frame.session, frame.state.heights, iterations_before(frame))
-        self.background.begin(partial(check, lens, _FEW_RAYS, 1, _ROUGH), lens)
+        self.background.begin(partial(check, lens, None), lens)
 
     def _finish(self) -> None:
         result, frame = self._document.session.result, self._last
@@ -246,7 +248,7 @@ class RunCheck(QObject):
         if result is not None and frame is not None and self.wanted():
             session = self._document.session
             self._end = CheckedLens.of(session, result.state, result.iterations)
-            work = partial(check, self._end, RAYS, None, ACCURACY)
+            work = partial(check, self._end, RAYS)
             self.background.begin(work, self._end, tr("Check of the run"))
 
     def _show_outcome(

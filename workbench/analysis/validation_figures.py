@@ -20,6 +20,24 @@ Interval = tuple[float, float]
 _MARGIN = 2.0  # allowed difference to the run, in errors of the check
 
 
+class MadeStep(NamedTuple):
+    """Error of a lens after a process and those before it."""
+
+    title: str  # of the process; empty for the lens as designed
+    error: float  # relative L2 distance of the first image to its target
+    interval: Interval
+    change: float  # of the error by this process; 0 as designed
+
+    def to_data(self) -> dict[str, Any]:
+        """The step by names, for JSON."""
+        return {
+            "process": self.title or None,
+            "relative_l2": self.error,
+            "interval": list(self.interval),
+            "change": self.change,
+        }
+
+
 @dataclass(frozen=True)
 class Validation:
     """Result of an independent trace of a lens.
@@ -65,6 +83,8 @@ class Validation:
         The light of each region.
     lit_area : RegionLight, optional
         The light where the target is lit, if that is one even area.
+    steps : tuple of MadeStep
+        Errors as designed and after each process, if these were asked for.
     further : tuple of Validation
         Results of the further images, in their order.
     weight : float
@@ -89,6 +109,7 @@ class Validation:
     shading: Shading | None = None
     regions: tuple[RegionLight, ...] = ()
     lit_area: RegionLight | None = None
+    steps: tuple[MadeStep, ...] = ()
     further: tuple["Validation", ...] = ()
     weight: float = 1.0
 
@@ -141,6 +162,7 @@ class Validation:
         """The figures by name, for JSON; those of further images and regions in lists."""
         further = {"further_images": [each.to_data() for each in self.further]}
         regions = {"regions": [each.to_data() for each in self.regions]}
+        steps = {"as_made": [step.to_data() for step in self.steps]}
         return {
             "loss": self.loss,
             "relative_l2": self.relative_l2,
@@ -158,6 +180,7 @@ class Validation:
             "shading": self.shading and self.shading.to_data(),
             "lit_area": self.lit_area and self.lit_area.to_data(),
             **(regions if self.regions else {}),
+            **(steps if self.steps else {}),
             **(further if self.further else {}),
         }
 

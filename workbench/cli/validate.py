@@ -1,21 +1,19 @@
 """``freeform validate``."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 from workbench.analysis.by_cells import ByCells
-from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series, with_screen_at
 from workbench.analysis.light_limit import light_limits
-from workbench.analysis.making.as_made import MadeStep, tracing_made
+from workbench.analysis.making.as_made import checking
 from workbench.analysis.making.robust import ExpectedError, expected_error
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.validation import validate as compute_check
-from workbench.analysis.validation_figures import Validation
+from workbench.analysis.validation_figures import MadeStep, Validation
 from workbench.arrays import Array
 from workbench.cli.output import PartProgress
 from workbench.design.session import result_of, verified_error
@@ -59,9 +57,10 @@ def validate(
         with closing(PartProgress("with Mitsuba")) as progress:
             compared = cross_check(*task, progress=progress.show)
     with closing(PartProgress("check")) as progress:
-        found = compute_check(*task, accuracy=ACCURACY, progress=progress.show)
-    steps = _as_made(scene, session.target, result.state.heights, rays // 4)
-    expected = _expected(scene, session.target, result.state.heights)
+        found = finished(checking(*task), progress.show)
+    expected = None
+    if scene.uncertainty != Uncertainty():
+        expected = expected_error(*task[:3])
     # The optimiser's image is on the receiver of the scene.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
@@ -77,7 +76,6 @@ def validate(
         figures["light_limits"] = [limit.to_data() for limit in limits]
         further = {
             "expected": expected and expected.to_data(),
-            "as_made": [step.to_data() for step in steps],
             "cross_check": compared and compared.to_data(),
             "through_focus": [each.to_data() for each in series],
         }
@@ -87,7 +85,7 @@ def validate(
         if bound and bound.certified:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         print(f"{'light, at most':<18}{most}  (with any lens)")
-        _print_made(steps)
+        _print_made(found.steps)
         _print_expected(expected)
         if compared:
             _print_compared(compared)
@@ -218,21 +216,6 @@ def _print_compared(found: CrossCheck) -> None:
         print(f"{'left out of both':<18}{', '.join(found.left_out)}")
 
 
-def _as_made(
-    scene: Scene, target: Array, heights: Mapping[str, Array], rays: int
-) -> tuple[MadeStep, ...]:
-    if not scene.processes:
-        return ()
-    with closing(PartProgress("as made")) as progress:
-        return finished(tracing_made(scene, target, heights, rays=rays), progress.show)
-
-
-def _expected(scene: Scene, target: Array, heights: Mapping[str, Array]) -> ExpectedError | None:
-    if scene.uncertainty == Uncertainty():
-        return None
-    return expected_error(scene, target, heights)
-
-
 def _print_expected(found: ExpectedError | None) -> None:
     if found is not None:
         print(
@@ -245,8 +228,9 @@ def _print_made(steps: Sequence[MadeStep]) -> None:
     if steps:
         print("\nError as designed, and after each process")
     for step in steps:
-        error, title = step.error, step.title or "as designed"
-        print(f"{title:<18}{error.distance:.5f}  (95 % {_interval(error.interval)})")
+        share = f"{step.change:+.5f}; " if step.title else ""
+        title = step.title or "as designed"
+        print(f"{title:<18}{step.error:.5f}  ({share}95 % {_interval(step.interval)})")
 
 
 def _print_series(series: Sequence[Focus]) -> None:

@@ -59,6 +59,28 @@ def check_rows(
     )
 
 
+def made_rows(found: Validation) -> tuple[Fact, ...]:
+    """Rows of the error as designed and after each process, with the share of each."""
+    return tuple(
+        Fact(
+            step.title or Message("error as designed"),
+            Message(
+                "{error}, {change:+.3f} percentage points by this process ({interval})",
+                error=percent(step.error),
+                change=100 * step.change,
+                interval=_interval(step.interval),
+            )
+            if step.title
+            else Message(
+                "{error} ({interval})",
+                error=percent(step.error),
+                interval=_interval(step.interval),
+            ),
+        )
+        for step in found.steps
+    )
+
+
 def region_rows(found: Validation) -> tuple[Fact, ...]:
     """Rows of the check for the lit area of the target, and for each region."""
     return tuple(Fact(light.name, light.words) for light in found.areas)

@@ -5,14 +5,13 @@ from datetime import datetime
 from functools import partial
 
 from workbench import __version__
-from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import cross_check
+from workbench.analysis.making.as_made import checking
 from workbench.analysis.manufacture import Manufacture, manufacture, surface_maps
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Distribution, perturbed
-from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session, result_of, verified_error
@@ -26,6 +25,7 @@ from workbench.pictures.axes import Extent
 from workbench.pictures.part.drawing import PartDrawing
 from workbench.pictures.train_section import draw_train_section
 from workbench.powers import written
+from workbench.progress import finished
 from workbench.report.content import Fact, PagePicture, Report, Section
 from workbench.report.element_table import element_table
 from workbench.report.figures import (
@@ -33,6 +33,7 @@ from workbench.report.figures import (
     area_table,
     bound_rows,
     check_rows,
+    made_rows,
     manufacture_rows,
     percent,
     result_table,
@@ -73,7 +74,7 @@ def gather(
     if tolerances is not None:
         tolerances[0].check(scene)
     heights = result.state.heights
-    found = validate(scene, target, heights, rays, accuracy=ACCURACY)
+    found = finished(checking(scene, target, heights, rays))
     made = [(optic, manufacture(optic, heights), _limits(scene, optic)) for optic in scene.optics]
     seen = [session.of_image(number) for number in range(len(found.images))]
     whiches = [f", image {n + 1}" if found.further else "" for n in range(len(found.images))]
@@ -202,6 +203,14 @@ def _image_sections(session: Session, found: Validation, which: str) -> Iterator
         "by cells without random rays, and with fresh random rays. Relative L2 error = "
         "‖I − T‖ / ‖T‖, both divided by their sum.",
     )
+    if found.steps:
+        yield Section(
+            "Error as made",
+            made_rows(found),
+            note="Relative L2 error of the lens as designed, and after each process of its "
+            "manufacture and those before it, with 95 % intervals; the last one is the error of "
+            "the finished part.",
+        )
     yield Section(
         f"Light account{which}",
         account_rows((found.by_cells or found).account, scene, light_unit(scene)),

@@ -27,7 +27,7 @@ STEPS = 4
 def few_rays(monkeypatch):
     """Real checks, with fewer rays."""
     monkeypatch.setattr(
-        "workbench.analysis.validation.validating",
+        "workbench.analysis.making.as_made.validating",
         lambda scene, target, heights, rays, threads, accuracy: validating(
             scene, target, heights, RAYS
         ),
@@ -145,11 +145,11 @@ def test_a_check_that_fails_shows_the_reason(window, monkeypatch, qtbot):
     def dark(*lens, threads, accuracy):
         raise RunFailed("no light of this lens reaches the screen")
 
-    monkeypatch.setattr("workbench.analysis.validation.validating", dark)
+    monkeypatch.setattr("workbench.analysis.making.as_made.validating", dark)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "no light" in window.messages.text, timeout=60_000)
     assert parts(window) == [] and "no light" in window.early.shelf.entries[0].outcome.text()
-    monkeypatch.setattr("workbench.analysis.validation.validating", lambda *_, **named: 1 / 0)
+    monkeypatch.setattr("workbench.analysis.making.as_made.validating", lambda *_, **named: 1 / 0)
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: "ZeroDivisionError" in window.messages.text, timeout=60_000)
 
@@ -198,7 +198,7 @@ def gate(session, monkeypatch):
             raise
         return found
 
-    monkeypatch.setattr("workbench.analysis.validation.validating", steps)
+    monkeypatch.setattr("workbench.analysis.making.as_made.validating", steps)
     yield SimpleNamespace(release=allowed.release, begun=begun, left=left)
     allowed.release(100)
 

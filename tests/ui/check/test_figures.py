@@ -1,5 +1,7 @@
 """All figures of a check in a dock: stated, explained, copied; and the choice of rays."""
 
+import dataclasses
+
 import pytest
 from PySide6.QtGui import QAction
 
@@ -8,6 +10,7 @@ from ui.run.check_figures import CheckFigures
 from ui.run.checks import CheckedLens
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
+from workbench.analysis.validation_figures import MadeStep
 from workbench.report.figures import account_rows, check_rows
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -58,6 +61,16 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
 
 
+def test_errors_as_designed_and_after_each_process_come_first(figures, designed, found):
+    steps = MadeStep("", 0.01, (0.009, 0.011), 0), MadeStep("Milling", 0.08, (0.07, 0.09), 0.07)
+    lens = CheckedLens(designed, designed.result.state.heights)
+    figures.show_check(lens, dataclasses.replace(found, steps=steps), 0.0)
+    (first, as_designed), (second, milled), *_ = rows(figures).items()
+    assert (first, second) == ("Error as designed", "Milling")
+    assert as_designed == "1.000 % (0.900 % to 1.100 %)"
+    assert milled.startswith("8.000 %, +7.000 percentage points by this process")
+
+
 def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
     assert figures.rays == 4_000_000
     with qtbot.waitSignal(figures.rays_chosen) as chosen:
@@ -80,7 +93,7 @@ def window(display, open_window, designed, found, monkeypatch, qtbot):
         asked.append(rays)
         return validating(scene, target, heights, RAYS)
 
-    monkeypatch.setattr("workbench.analysis.validation.validating", few)
+    monkeypatch.setattr("workbench.analysis.making.as_made.validating", few)
     window = open_window(designed)
     window.asked = asked
     window.build()

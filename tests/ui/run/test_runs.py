@@ -44,7 +44,8 @@ def checks(monkeypatch):
         yield 1.0
         return found(seen.error)
 
-    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
+    for module in ("validation", "making.as_made"):
+        monkeypatch.setattr(f"workbench.analysis.{module}.validating", validating)
     # These checks have too few figures for the table.
     monkeypatch.setattr("ui.run.check_figures.CheckFigures.show_check", lambda *_: None)
     return seen

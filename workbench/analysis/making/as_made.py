@@ -1,49 +1,55 @@
 """Error of a lens as made beside that as designed, and the share of each process."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
 
-from workbench.analysis.scatter import CorrectedDistance, tracing_independently
+from workbench.analysis.cells.image import ACCURACY
+from workbench.analysis.scatter import tracing_independently
+from workbench.analysis.validation import validating
+from workbench.analysis.validation_figures import MadeStep, Validation
 from workbench.arrays import Array
 from workbench.progress import Steps, of_equal, within
 from workbench.scene import Scene
 from workbench.scene.part import title_of
 
 
-class MadeStep(NamedTuple):
-    """Error of a lens after a process and those before it."""
-
-    title: str  # of the process; empty for the lens as designed
-    error: CorrectedDistance  # relative L2 distance of the first image to its target
-
-    def to_data(self) -> dict[str, Any]:
-        """The step by names, for JSON."""
-        low, high = self.error.interval
-        return {
-            "process": self.title or None,
-            "relative_l2": self.error.distance,
-            "interval": [low, high],
-        }
-
-
-def tracing_made(
+def checking(
     scene: Scene,
     target: Array,
     heights: Mapping[str, Array],
-    accuracy: float = 1e-3,
-    rays: int = 1_000_000,
-) -> Steps[tuple[MadeStep, ...]]:
-    """Find the errors as designed and after each process, by independent random rays.
+    rays: int = 4_000_000,
+    threads: int | None = None,
+) -> Steps[Validation]:
+    """Check a lens thoroughly in steps: as made, as designed, and between its processes.
 
-    Each has at most four times ``rays``. Raises `Refused` as `workbench.analysis.validation`.
+    Each further error comes from at most as many random rays. Raises `Refused` and `RunFailed` as
+    `workbench.analysis.validation.validate`.
     """
+    count = len(scene.processes)
+    steps = validating(scene, target, heights, rays, threads=threads, accuracy=ACCURACY)
+    found = yield from within(steps, partial(of_equal, count + 1, 0))
+    if count == 0:
+        return found
     first, *_ = scene.single
-    count, found = len(scene.processes) + 1, []
+    clearest, errors = found.by_cells or found, []
     for number in range(count):
         part = first.model_copy(update={"processes": scene.processes[:number]})
-        steps = tracing_independently(part, heights, target, accuracy, random_rays=rays)
-        error = yield from within(steps, partial(of_equal, count, number))
-        title = title_of(type(scene.processes[number - 1])) if number else ""
-        found.append(MadeStep(title, error.unscattered))
-    return tuple(found)
+        more = tracing_independently(
+            part, heights, target, ACCURACY, threads=threads, random_rays=rays // 4
+        )
+        error = (yield from within(more, partial(of_equal, count + 1, number + 1))).unscattered
+        errors.append((error.distance, error.interval))
+    errors.append((clearest.relative_l2_corrected, clearest.relative_l2_corrected_interval))
+    return replace(found, steps=_steps(scene, errors))
+
+
+def _steps(
+    scene: Scene, errors: Sequence[tuple[float, tuple[float, float]]]
+) -> tuple[MadeStep, ...]:
+    titles = ("", *(title_of(type(process)) for process in scene.processes))
+    before = (errors[0], *errors)
+    return tuple(
+        MadeStep(title, error, interval, error - last)
+        for title, (error, interval), (last, _) in zip(titles, errors, before, strict=False)
+    )
