@@ -23,6 +23,8 @@ from ui.commands.actions import MENUS
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
+from workbench.analysis.inspection.options import InspectionOptions
+from workbench.analysis.making.photograph_options import PhotographOptions
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import ABOUT
@@ -38,6 +40,7 @@ from workbench.refusals import SENTENCES
 from workbench.scene import FarField, Lens, Mirror, Part, Scene, Screen, Unit
 from workbench.scene.fields import BOUNDS, LeftOut
 from workbench.scene.part import Kinds, summary_of, title_of
+from workbench.units import WRITTEN
 
 CONTEXT = "workbench"
 OPTICS, RECEIVERS = (Lens, Mirror), (Screen, FarField)
@@ -100,7 +103,13 @@ def _of_engine() -> Iterator[str]:
     yield from (text for each in LOSSES.values() for text in (each.where, each.cure))
     yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
-    groups: tuple[type[OptionGroup], ...] = *GROUPS, Limits, PlanOptions
+    groups: tuple[type[OptionGroup], ...] = (
+        *GROUPS,
+        Limits,
+        PlanOptions,
+        PhotographOptions,
+        InspectionOptions,
+    )
     for _, option in (each for group in groups for each in group.about()):
         yield from (option.title, option.tip, option.empty, *_worded(option.choices.values()))
     for tolerance in ABOUT.values():
@@ -112,8 +121,8 @@ def _of_engine() -> Iterator[str]:
 
 
 def _worded(titles: Iterable[str]) -> Iterator[str]:
-    """Titles that are words, not names or sizes."""
-    return (title for title in titles if title[0].islower())
+    """Titles that are words, not names, sizes or units."""
+    return (title for title in titles if title[0].islower() and title not in WRITTEN)
 
 
 def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:

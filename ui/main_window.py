@@ -20,6 +20,7 @@ from resources import Example
 from ui.commands.panes import PaneFocus
 from ui.commands.table import WORKSPACE_CHOICES
 from ui.dialogs.help import TITLE, Help
+from ui.dialogs.measured import Measured
 from ui.dialogs.preferences import PreferencesDialog
 from ui.dialogs.start_page import StartPage
 from ui.document.document import Document
@@ -87,7 +88,9 @@ class MainWindow(QMainWindow):
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_options = AskOptions(self, settings)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
-        early.shelf.follow(self.exporter.background, self.reporter.background)
+        self.measured = Measured(lens, messages, dialogs, settings, self)
+        writers = self.exporter, self.reporter, self.measured
+        early.shelf.follow(*(each.background for each in writers))
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = StartPage(self.files, recent, self._new, dialogs, settings)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
@@ -153,6 +156,7 @@ class MainWindow(QMainWindow):
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
         self.reporter.close()
+        self.measured.close()
         if self.sweep is not None:
             self.sweep.close_thread()
             self.sweep.close()
@@ -277,6 +281,8 @@ class MainWindow(QMainWindow):
                 "export": lambda: self._commit_and(self.exporter.choose_and_export),
                 "cut": lambda: self._commit_and(self.exporter.choose_and_cut),
                 "plan": lambda: self._commit_and(self._plan),
+                "photograph": lambda: self._commit_and(self.measured.choose_photograph),
+                "inspect": lambda: self._commit_and(self.measured.choose_surfaces),
                 "report": lambda: self._commit_and(self.reporter.choose_and_report),
                 "sweep": self._sweep,
                 "new_window": self.new_window_asked.emit,

@@ -160,6 +160,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Compare a p&amp;hotograph…</source>
+            <translation>F&amp;oto vergleichen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Compare a photograph of the projected light with the prediction, and find likely causes</source>
+            <translation>Ein Foto des projizierten Lichts mit der Vorhersage vergleichen und wahrscheinliche Ursachen finden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Read measured s&amp;urfaces…</source>
+            <translation>Ge&amp;messene Flächen lesen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Compare measured parts with the design, and correct the design for the next part</source>
+            <translation>Gemessene Teile mit dem Entwurf vergleichen und den Entwurf für das nächste Teil korrigieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Be&amp;richt …</translation>
         </message>
@@ -1199,6 +1219,51 @@
             <translation>&amp;Fertig</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Made and designed</source>
+            <translation>Gefertigt und entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Figures</source>
+            <translation>Kennzahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Save &amp;corrected part…</source>
+            <translation>&amp;Korrigiertes Teil speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Write a design whose face makes good what repeats in the parts</source>
+            <translation>Schreibt einen Entwurf, dessen Fläche ausgleicht, was sich an den Teilen wiederholt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Made beside designed</source>
+            <translation>Gefertigt neben entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Drag the numbered corners onto those of the receiver: 1 is the top left corner of the target, and 2, 3 and 4 follow around it. With the keyboard: Space chooses a corner, arrows move it.</source>
+            <translation>Ziehen Sie die nummerierten Ecken auf die des Empfängers: 1 ist die linke obere Ecke des Ziels, 2, 3 und 4 folgen im Umlauf. Mit der Tastatur: Leertaste wählt eine Ecke, Pfeile bewegen sie.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Photograph with the corners of the receiver</source>
+            <translation>Foto mit den Ecken des Empfängers</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Compare a photograph</source>
+            <translation>Foto vergleichen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>&amp;Compare</source>
+            <translation>&amp;Vergleichen</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Seitenansicht der Aufgabe</translation>
@@ -1332,6 +1397,51 @@
             <location filename="../../ui/dialogs/job_page.py" />
             <source>File of light</source>
             <translation>Lichtdatei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>comparison</source>
+            <translation>Vergleich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Read measured surfaces</source>
+            <translation>Gemessene Flächen lesen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Measured surfaces ({endings});;All files (*)</source>
+            <translation>Gemessene Flächen ({endings});;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Measured surfaces</source>
+            <translation>Gemessene Flächen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Comparison with {file}</source>
+            <translation>Vergleich mit {file}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Save the corrected part</source>
+            <translation>Korrigiertes Teil speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Design (*.freeform)</source>
+            <translation>Entwurf (*.freeform)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Corrected part</source>
+            <translation>Korrigiertes Teil</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>{file} is written.</source>
+            <translation>{file} ist geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
@@ -8126,6 +8236,91 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Meaning of pixel values, unless the file has a colour profile.</source>
+            <translation>Bedeutung der Pixelwerte, sofern die Datei kein Farbprofil hat.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as shown by a monitor</source>
+            <translation>wie auf einem Monitor gezeigt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as stored</source>
+            <translation>wie gespeichert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the measurements. Empty: that of the file, or else of the scene.</source>
+            <translation>Einheit der Messungen. Leer: die der Datei, sonst die der Szene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of file or scene</source>
+            <translation>von Datei oder Szene</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of heights</source>
+            <translation>Einheit der Höhen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of their heights. Empty: that of their lengths.</source>
+            <translation>Einheit ihrer Höhen. Leer: die ihrer Längen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as lengths</source>
+            <translation>wie Längen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Determine a scale</source>
+            <translation>Maßstab bestimmen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Determine a scale (shrinkage), too.</source>
+            <translation>Auch einen Maßstab (Schwund) bestimmen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel</source>
+            <translation>Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: side of a pixel. Empty: of the file.</source>
+            <translation>Bei Bildern: Seite eines Pixels. Leer: die der Datei.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the file</source>
+            <translation>der Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black</source>
+            <translation>Schwarz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: height of black.</source>
+            <translation>Bei Bildern: Höhe von Schwarz.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>White</source>
+            <translation>Weiß</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: height of white.</source>
+            <translation>Bei Bildern: Höhe von Weiß.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Largest angle between lens and optical axis</source>
             <translation>Größter Winkel zwischen Linse und optischer Achse</translation>
         </message>
@@ -8436,6 +8631,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>as designed</source>
+            <translation>wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
             <source>{face!r} is no freeform face; {known}</source>
             <translation>{face!r} ist keine Freiformfläche; {known}</translation>
         </message>
@@ -8501,6 +8701,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>the picture of this lens is not within these corners; mark those of the receiver</source>
+            <translation>das Bild dieser Linse liegt nicht in diesen Ecken; markieren Sie die des Empfängers</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
             <source>four places x,y in pixels of the photograph are needed</source>
             <translation>vier Orte x,y in Pixeln der Fotografie werden gebraucht</translation>
         </message>
@@ -8516,13 +8721,43 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>turned by 180°</source>
+            <translation>um 180° gedreht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>mirrored left to right</source>
+            <translation>links-rechts gespiegelt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>mirrored top to bottom</source>
+            <translation>oben-unten gespiegelt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
             <source>a photograph shows a plane; 'plane'</source>
             <translation>eine Fotografie zeigt eine Ebene; 'plane'</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
-            <source>the picture of this lens is not within these corners; others</source>
-            <translation>das Bild dieser Linse liegt nicht in diesen Ecken; andere</translation>
+            <source>distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>tilt about x</source>
+            <translation>Neigung um x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>tilt about y</source>
+            <translation>Neigung um y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>source size</source>
+            <translation>Größe der Quelle</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/making/plan.py" />
@@ -10471,11 +10706,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/pictures/error_curves.py" />
-            <source>as designed</source>
-            <translation>wie entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>Linsen bis dorthin</translation>
         </message>
@@ -10525,9 +10755,39 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <translation>Zielfunktion</translation>
         </message>
         <message>
-            <location filename="../../workbench/pictures/section.py" />
-            <source>distance</source>
-            <translation>Abstand</translation>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>residual as measured</source>
+            <translation>Abweichung wie gemessen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>resolved residual</source>
+            <translation>aufgelöste Abweichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>repeats</source>
+            <translation>wiederholt sich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>1 = mean</source>
+            <translation>1 = Mittel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>photograph, rectified</source>
+            <translation>Foto, entzerrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>prediction with causes</source>
+            <translation>Vorhersage mit Ursachen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>photograph less prediction</source>
+            <translation>Foto minus Vorhersage</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />
@@ -10683,6 +10943,126 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/report/findings.py" />
             <source>{where}, as marked in the 3D scene: {cure}.</source>
             <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>difference</source>
+            <translation>Unterschied</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{part} (relative L2, beside scale and camera)</source>
+            <translation>{part} (relativ L2, abgesehen von Maßstab und Kamera)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>with causes</source>
+            <translation>mit Ursachen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>response</source>
+            <translation>Kennlinie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{power:.2f} (1 if the tone is right)</source>
+            <translation>{power:.2f} (1, wenn der Tonwert stimmt)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>corners</source>
+            <translation>Ecken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{factor:.2f} times as light as the middle</source>
+            <translation>{factor:.2f}-mal so hell wie die Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>photograph</source>
+            <translation>Foto</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{value} ± {off}, explains {part:.0f} %</source>
+            <translation>{value} ± {off}, erklärt {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>part</source>
+            <translation>Teil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{count} on {covered} of {face}, {missing} without a height, {spikes} spikes</source>
+            <translation>{count} auf {covered} von {face}, {missing} ohne Höhe, {spikes} Ausreißer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>residual</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms, {whole:.4g} µm peak to valley</source>
+            <translation>{rms:.4g} µm rms, {whole:.4g} µm Spitze-Tal</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>resolved</source>
+            <translation>aufgelöst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms, slope {slope:.4g} mrad rms, by {columns} × {rows} control points</source>
+            <translation>{rms:.4g} µm rms, Steigung {slope:.4g} mrad rms, mit {columns} × {rows} Kontrollpunkten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>rest</source>
+            <translation>Rest</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>turned by</source>
+            <translation>gedreht um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>shifted by</source>
+            <translation>verschoben um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>scale</source>
+            <translation>Maßstab</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms</source>
+            <translation>{rms:.4g} µm rms</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>parts differ by</source>
+            <translation>Teile unterscheiden sich um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>light of {part}</source>
+            <translation>Licht von {part}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{error} verified error, {light} on the receiver</source>
+            <translation>{error} geprüfter Fehler, {light} auf dem Empfänger</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/element.py" />

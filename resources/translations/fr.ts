@@ -160,6 +160,26 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Compare a p&amp;hotograph…</source>
+            <translation>&amp;Comparer une photographie…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Compare a photograph of the projected light with the prediction, and find likely causes</source>
+            <translation>Comparer une photographie de la lumière projetée à la prédiction, et trouver les causes probables</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Read measured s&amp;urfaces…</source>
+            <translation>L&amp;ire des surfaces mesurées…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Compare measured parts with the design, and correct the design for the next part</source>
+            <translation>Comparer des pièces mesurées à la conception, et corriger celle-ci pour la pièce suivante</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Report…</source>
             <translation>Ra&amp;pport…</translation>
         </message>
@@ -1199,6 +1219,51 @@
             <translation>&amp;Fini</translation>
         </message>
         <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Made and designed</source>
+            <translation>Fabriqué et conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Figures</source>
+            <translation>Valeurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Save &amp;corrected part…</source>
+            <translation>Enregistrer la pièce &amp;corrigée…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Write a design whose face makes good what repeats in the parts</source>
+            <translation>Écrire une conception dont la surface compense ce qui se répète sur les pièces</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/comparison.py" />
+            <source>Made beside designed</source>
+            <translation>Fabriqué à côté de conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Drag the numbered corners onto those of the receiver: 1 is the top left corner of the target, and 2, 3 and 4 follow around it. With the keyboard: Space chooses a corner, arrows move it.</source>
+            <translation>Faites glisser les coins numérotés sur ceux du récepteur : 1 est le coin supérieur gauche de la cible, 2, 3 et 4 suivent le tour. Au clavier : Espace choisit un coin, les flèches le déplacent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Photograph with the corners of the receiver</source>
+            <translation>Photographie avec les coins du récepteur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>Compare a photograph</source>
+            <translation>Comparer une photographie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/corners.py" />
+            <source>&amp;Compare</source>
+            <translation>&amp;Comparer</translation>
+        </message>
+        <message>
             <location filename="../../ui/dialogs/drawing.py" />
             <source>Side view of the job</source>
             <translation>Vue de côté de la tâche</translation>
@@ -1332,6 +1397,51 @@
             <location filename="../../ui/dialogs/job_page.py" />
             <source>File of light</source>
             <translation>Fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>comparison</source>
+            <translation>comparaison</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Read measured surfaces</source>
+            <translation>Lire des surfaces mesurées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Measured surfaces ({endings});;All files (*)</source>
+            <translation>Surfaces mesurées ({endings});;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Measured surfaces</source>
+            <translation>Surfaces mesurées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Comparison with {file}</source>
+            <translation>Comparaison avec {file}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Save the corrected part</source>
+            <translation>Enregistrer la pièce corrigée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Design (*.freeform)</source>
+            <translation>Conception (*.freeform)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Corrected part</source>
+            <translation>Pièce corrigée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>{file} is written.</source>
+            <translation>{file} est écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
@@ -8126,6 +8236,91 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Meaning of pixel values, unless the file has a colour profile.</source>
+            <translation>Signification des valeurs de pixel, sauf si le fichier a un profil de couleurs.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as shown by a monitor</source>
+            <translation>comme les montre un écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as stored</source>
+            <translation>comme enregistrées</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the measurements. Empty: that of the file, or else of the scene.</source>
+            <translation>Unité des mesures. Vide : celle du fichier, sinon celle de la scène.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of file or scene</source>
+            <translation>du fichier ou de la scène</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of heights</source>
+            <translation>Unité des hauteurs</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of their heights. Empty: that of their lengths.</source>
+            <translation>Unité de leurs hauteurs. Vide : celle de leurs longueurs.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>as lengths</source>
+            <translation>comme les longueurs</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Determine a scale</source>
+            <translation>Déterminer une échelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Determine a scale (shrinkage), too.</source>
+            <translation>Déterminer aussi une échelle (retrait).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixel</source>
+            <translation>Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: side of a pixel. Empty: of the file.</source>
+            <translation>Pour les images : côté d’un pixel. Vide : celui du fichier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the file</source>
+            <translation>du fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black</source>
+            <translation>Noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: height of black.</source>
+            <translation>Pour les images : hauteur du noir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>White</source>
+            <translation>Blanc</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of pictures: height of white.</source>
+            <translation>Pour les images : hauteur du blanc.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Largest angle between lens and optical axis</source>
             <translation>Plus grand angle entre lentille et axe optique</translation>
         </message>
@@ -8436,6 +8631,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/inspection/inspection.py" />
+            <source>as designed</source>
+            <translation>comme conçu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/inspection/inspection.py" />
             <source>{face!r} is no freeform face; {known}</source>
             <translation>{face!r} n'est pas une face freeform ; {known}</translation>
         </message>
@@ -8501,6 +8701,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>the picture of this lens is not within these corners; mark those of the receiver</source>
+            <translation>l’image de cette lentille n’est pas entre ces coins ; marquez ceux du récepteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
             <source>four places x,y in pixels of the photograph are needed</source>
             <translation>il faut quatre points x,y en pixels de la photographie</translation>
         </message>
@@ -8516,13 +8721,43 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>turned by 180°</source>
+            <translation>tournée de 180°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>mirrored left to right</source>
+            <translation>inversée de gauche à droite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>mirrored top to bottom</source>
+            <translation>inversée de haut en bas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
             <source>a photograph shows a plane; 'plane'</source>
             <translation>une photographie montre un plan ; 'plane'</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/making/photograph.py" />
-            <source>the picture of this lens is not within these corners; others</source>
-            <translation>l'image de cette lentille n'est pas entre ces coins ; d'autres</translation>
+            <source>distance</source>
+            <translation>distance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>tilt about x</source>
+            <translation>inclinaison autour de x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>tilt about y</source>
+            <translation>inclinaison autour de y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/photograph.py" />
+            <source>source size</source>
+            <translation>taille de la source</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/making/plan.py" />
@@ -10471,11 +10706,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/pictures/error_curves.py" />
-            <source>as designed</source>
-            <translation>comme conçu</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>lentilles jusque-là</translation>
         </message>
@@ -10525,9 +10755,39 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <translation>coût</translation>
         </message>
         <message>
-            <location filename="../../workbench/pictures/section.py" />
-            <source>distance</source>
-            <translation>distance</translation>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>residual as measured</source>
+            <translation>écart tel que mesuré</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>resolved residual</source>
+            <translation>écart résolu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/inspection.py" />
+            <source>repeats</source>
+            <translation>se répète</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>1 = mean</source>
+            <translation>1 = moyenne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>photograph, rectified</source>
+            <translation>photographie redressée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>prediction with causes</source>
+            <translation>prédiction avec les causes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/part/photograph.py" />
+            <source>photograph less prediction</source>
+            <translation>photographie moins prédiction</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/section.py" />
@@ -10683,6 +10943,126 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/report/findings.py" />
             <source>{where}, as marked in the 3D scene: {cure}.</source>
             <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>difference</source>
+            <translation>différence</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{part} (relative L2, beside scale and camera)</source>
+            <translation>{part} (L2 relative, hors échelle et appareil photo)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>with causes</source>
+            <translation>avec les causes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>response</source>
+            <translation>réponse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{power:.2f} (1 if the tone is right)</source>
+            <translation>{power:.2f} (1 si le ton est juste)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>corners</source>
+            <translation>coins</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{factor:.2f} times as light as the middle</source>
+            <translation>{factor:.2f} fois la clarté du milieu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>photograph</source>
+            <translation>photographie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{value} ± {off}, explains {part:.0f} %</source>
+            <translation>{value} ± {off}, explique {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>part</source>
+            <translation>pièce</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>points</source>
+            <translation>points</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{count} on {covered} of {face}, {missing} without a height, {spikes} spikes</source>
+            <translation>{count} sur {covered} de {face}, {missing} sans hauteur, {spikes} aberrants</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>residual</source>
+            <translation>écart</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms, {whole:.4g} µm peak to valley</source>
+            <translation>{rms:.4g} µm rms, {whole:.4g} µm crête à creux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>resolved</source>
+            <translation>résolu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms, slope {slope:.4g} mrad rms, by {columns} × {rows} control points</source>
+            <translation>{rms:.4g} µm rms, pente {slope:.4g} mrad rms, par {columns} × {rows} points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>rest</source>
+            <translation>reste</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>turned by</source>
+            <translation>tourné de</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>shifted by</source>
+            <translation>décalé de</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>scale</source>
+            <translation>échelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{rms:.4g} µm rms</source>
+            <translation>{rms:.4g} µm rms</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>parts differ by</source>
+            <translation>les pièces diffèrent de</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>light of {part}</source>
+            <translation>lumière de {part}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/measured.py" />
+            <source>{error} verified error, {light} on the receiver</source>
+            <translation>{error} erreur vérifiée, {light} sur le récepteur</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/element.py" />

@@ -88,10 +88,11 @@ def test_a_photograph_that_stands_on_its_head_is_turned(plate):
     assert found.left < 0.1
 
 
-def test_one_without_the_picture_is_refused(plate, rng):
+@pytest.mark.parametrize("light", [0.0, 1.0])
+def test_one_without_the_picture_is_refused(plate, rng, light):
     scene, target, heights = plate
     with pytest.raises(Refused, match="photograph: the picture of this lens is not within"):
-        finished(comparing(scene, target, heights, rng.random((300, 400)), _CORNERS))
+        finished(comparing(scene, target, heights, light * rng.random((300, 400)), _CORNERS))
 
 
 @pytest.mark.parametrize(

@@ -71,7 +71,7 @@ def test_text(freeform, designed, part):
         "µm rms",
         "mrad rms",
         "turned by",
-        "  scale  ",
+        "\nscale  ",
         "as designed",
         "as measured",
     ):

@@ -50,6 +50,8 @@ MENUS: dict[str, list[Any]] = {
         "export",
         "cut",
         "plan",
+        "photograph",
+        "inspect",
         "report",
         None,
         "close",

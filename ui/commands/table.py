@@ -83,6 +83,14 @@ COMMANDS = {
         "P&lan milling and polishing…",
         "Find step-over and polishing for a wanted error as made, with the least time",
     ),
+    "photograph": Command(
+        "Compare a p&hotograph…",
+        "Compare a photograph of the projected light with the prediction, and find likely causes",
+    ),
+    "inspect": Command(
+        "Read measured s&urfaces…",
+        "Compare measured parts with the design, and correct the design for the next part",
+    ),
     "report": Command(
         "&Report…", "Write scene, pictures, check and figures as a report (HTML, PDF)", "Ctrl+R"
     ),

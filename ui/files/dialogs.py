@@ -41,6 +41,11 @@ class FileDialogs(QObject):
         chosen, _ = QFileDialog.getOpenFileName(self.window, title, begin, filters)
         return self._note(kind, Path(chosen)) if chosen else None
 
+    def to_open_several(self, kind: str, title: str, filters: str) -> list[Path]:
+        begin = str(self._begin(kind))
+        chosen, _ = QFileDialog.getOpenFileNames(self.window, title, begin, filters)
+        return [self._note(kind, Path(each)) for each in chosen]
+
     def to_save(self, kind: str, title: str, name: str, endings: Mapping[str, str]) -> Path | None:
         """Ask for a file to write; a name without an ending gets that of the chosen filter."""
         dialog = QFileDialog(self.window, title, str(self._begin(kind)))

@@ -27,12 +27,13 @@ _STEP = 0.01  # of the picture for an arrow key
 _VEIL = QColor(0, 0, 0, 150)
 WHOLE: Crop = (0.0, 0.0, 0.0, 0.0)
 """Nothing is cut away."""
-_KEYS = {
+ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
     Qt.Key.Key_Right: (1, 0),
     Qt.Key.Key_Up: (0, -1),
     Qt.Key.Key_Down: (0, 1),
 }
+"""Steps of arrow keys to the right and down."""
 _CURSORS = {  # by what moves along x and along y
     (False, False): Qt.CursorShape.ArrowCursor,
     (True, False): Qt.CursorShape.SizeHorCursor,
@@ -106,7 +107,7 @@ class CropView(ScaledImage):
         self.show_crop(WHOLE)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = _KEYS.get(Qt.Key(event.key()))
+        step = ARROWS.get(Qt.Key(event.key()))
         if step is None:
             super().keyPressEvent(event)
             return

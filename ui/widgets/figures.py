@@ -39,6 +39,7 @@ class FigureCanvas(FigureCanvasQTAgg):
 
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
+_NAMED = re.compile(r"(.+): (.+)")
 _AT = re.compile(r"(.* \(.*\)) at (.*)")
 _MEAN = re.compile(r"(10\S+ )?× mean(.*)")
 
@@ -70,5 +71,7 @@ def _translated(english: str) -> str:
         return (mean[1] or "") + tr("× mean") + mean[2]
     if at := _AT.fullmatch(english):
         return tr("{axis} at {place}").format(axis=_translated(at[1]), place=at[2])
+    if named := _NAMED.fullmatch(english):
+        return f"{tr(named[1])}: {_translated(named[2])}"
     parts = _WITH_UNIT.fullmatch(english)
     return f"{tr(parts[1])} {parts[2]}" if parts else tr(english)

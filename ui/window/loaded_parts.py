@@ -47,7 +47,7 @@ class LoadedParts(QObject):
         document, there, messages = early.document, early.panes, early.messages
         self.control = RunControl(document, self)
         self.shown = shown = ShownLens(document, self)
-        names = ("plan", "cut", "export", "report", "faces_by_limits")
+        names = "plan", "cut", "export", "report", "photograph", "inspect", "faces_by_limits"
         making = [early.commands[name] for name in names]
         self.manufacture, self.tolerances = ManufacturePane(settings, making), TolerancePane()
         panes: dict[str, View] = {"manufacture": self.manufacture, "tolerances": self.tolerances}

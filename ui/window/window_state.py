@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
     from workbench.scene import Element
 
-_USES_LENS = ("export", "cut", "plan", "report")
+_USES_LENS = ("export", "cut", "plan", "photograph", "inspect", "report")
 
 # Not while a run works on the design as it was when it began.
 _CHANGING = (

@@ -3,8 +3,9 @@
 import argparse
 from typing import Any
 
-from workbench.cli.parser import add_json, add_plot, add_session, add_verb, length, rays
-from workbench.measured.surfaces import ENDINGS, UNITS
+from workbench.analysis.inspection.options import InspectionOptions
+from workbench.cli.parser import add_json, add_options, add_plot, add_session, add_verb, rays
+from workbench.measured.surfaces import ENDINGS
 
 
 def add_inspect(commands: Any) -> None:
@@ -27,28 +28,19 @@ def add_inspect(commands: Any) -> None:
         "files", role="a measurement", metavar="FILE", nargs="+", help="measurement of a part"
     )
     parser.add_argument("--face", metavar="ID", help="such as lens.back [the designed face]")
-    for name, does in (
-        ("unit", "of the measurements [that of the file, or else of the scene]"),
-        ("z-unit", "of their heights, if it is another one"),
-    ):
-        parser.add_argument(f"--{name}", choices=UNITS, help=does)
-    parser.add_argument("--scale", action="store_true", help="determine a scale (shrinkage), too")
-    parser.add_argument(
-        "--pixel", metavar="LENGTH", type=length, help="of pictures: the side of a pixel"
-    )
+    add_options(parser, InspectionOptions)
     parser.add_argument(
         "--levels",
         metavar=("BLACK", "WHITE"),
         type=float,
         nargs=2,
-        default=(0.0, 1.0),
-        help="of pictures: heights of black and of white",
+        help=argparse.SUPPRESS,  # of older scripts: --black and --white at once
     )
     parser.add_input(
         "--made-from",
         role="the session that parts were made from",
         metavar="SESSION",
-        help="session that the parts were made from, if it is a corrected one",
+        help="corrected session that the parts were made from",
     )
     parser.add_argument(
         "--rays", metavar="N", type=rays, default=4_000_000, help="of each check [%(default)s]"
@@ -61,18 +53,16 @@ def add_inspect(commands: Any) -> None:
 
 
 def _run_inspect(options: argparse.Namespace) -> None:
-    from workbench.analysis.inspection.inspection import Units
     from workbench.cli.inspect import inspect
-    from workbench.measured.surfaces import PictureScale
 
-    pictures = None if options.pixel is None else PictureScale(options.pixel, *options.levels)
+    stated = vars(options)
+    if options.levels:
+        stated |= dict(zip(("black", "white"), options.levels, strict=True))
     inspect(
         options.session,
         options.files,
         face=options.face,
-        unit=Units(options.unit, options.z_unit),
-        with_scale=options.scale,
-        pictures=pictures,
+        options=InspectionOptions.of(stated),
         made_from=options.made_from,
         rays=options.rays,
         plot=options.plot,

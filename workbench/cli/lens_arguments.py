@@ -8,6 +8,7 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+from workbench.analysis.making.photograph_options import PhotographOptions
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.shop_limits import Limits
 from workbench.cli.parser import (
@@ -195,16 +196,22 @@ def add_photograph(commands: Any) -> None:
         help="pixels of the screen's corners in the photograph, around it from the top left one of "
         "the target",
     )
-    parser.add_argument(
-        "--tone", choices=("srgb", "linear"), default="srgb", help="default %(default)s"
-    )
+    add_options(parser, PhotographOptions)
+    add_plot(parser, "draw the photograph beside the prediction")
     add_json(parser)
 
 
 def _run_photograph(options: argparse.Namespace) -> None:
     from workbench.cli.photograph import photograph
 
-    photograph(options.session, options.photo, tuple(options.corners), options.tone, options.json)
+    photograph(
+        options.session,
+        options.photo,
+        tuple(options.corners),
+        PhotographOptions.of(vars(options)),
+        options.plot,
+        options.json,
+    )
 
 
 def add_export(commands: Any) -> None:

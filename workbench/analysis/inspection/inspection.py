@@ -1,17 +1,19 @@
 """Inspection of made parts: what each of them, and what all of them deviate from the design."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.inspection.alignment import Alignment, aligned
 from workbench.analysis.inspection.placement import DesignedFace
 from workbench.analysis.inspection.relief import by_relief
 from workbench.analysis.inspection.residual import Residual, residual_of
 from workbench.analysis.inspection.starts import mean_plane, relief, thinned
+from workbench.analysis.validation import validating
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.design.lens_state import FurtherLight
@@ -21,6 +23,7 @@ from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import nets_of
 from workbench.measured.surfaces import UNITS, MeasuredSurface
 from workbench.messages import Message
+from workbench.progress import Steps, of_equal, within
 from workbench.scene import Scene
 from workbench.units import WRITTEN
 
@@ -37,6 +40,9 @@ class Units(NamedTuple):
     length: str | None = None
     heights: str | None = None  # by default as ``length``
 
+
+AS_DESIGNED = Message("as designed")
+"""Name of the lens as designed."""
 
 AS_STATED = Units()
 """Units of the file, or else of the scene."""
@@ -96,6 +102,12 @@ class Inspection:
         return np.asarray(np.mean([part.residual.on_design for part in self.parts], axis=0))
 
     @property
+    def repeating_rms(self) -> float:
+        """RMS of what repeats, scene units."""
+        x, y, _ = self.face.samples.T
+        return float(np.sqrt(np.square(self.face.net.at(x, y, self.repeating)[0]).mean()))
+
+    @property
     def spread(self) -> float | None:
         """RMS by which parts differ from their mean, scene units; None for one part."""
         if len(self.parts) < 2:
@@ -108,6 +120,11 @@ class Inspection:
         """Control heights of all faces, with this one as measured."""
         there = self.face.heights + part.residual.on_design
         return FaceArrays({**self.heights, self.face.name: there})
+
+    @property
+    def lenses(self) -> tuple[Mapping[str, Array], ...]:
+        """Control heights of all faces as designed, and of each part as measured."""
+        return (self.heights, *map(self.as_measured, self.parts))
 
     def corrected(self, made_from: Mapping[str, Array] | None = None) -> FaceArrays[np.float64]:
         """Control heights of all faces, with this one less what repeats.
@@ -152,6 +169,17 @@ def inspected(
         _part(file, surface, scene, designed, unit, with_scale) for file, surface in surfaces
     )
     return Inspection(scene, heights, designed, parts)
+
+
+def lighting(
+    session: Session, lenses: Sequence[Mapping[str, Array]], rays: int = 4_000_000
+) -> Steps[tuple[Validation, ...]]:
+    """Check the light of lenses by their control heights, in steps."""
+    found = []
+    for number, heights in enumerate(lenses):
+        steps = validating(session.scene, session.target, heights, rays, accuracy=ACCURACY)
+        found.append((yield from within(steps, partial(of_equal, len(lenses), number))))
+    return tuple(found)
 
 
 def corrected_session(

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 _PER_PIXEL = 3  # samples of the photograph along each axis of a pixel of the receiver
 _LEAST_CORRELATION = 0.3  # of a photograph in which the picture is
+_NOT_WITHIN = Message(
+    "the picture of this lens is not within these corners; mark those of the receiver"
+)
 # Rms widths, in pixels, of the Gaussians that images are averaged by in each round of the fit: from
 # coarse to fine, or details would meet the wrong details.
 _ROUNDS = (6.0, 3.0, 1.5, 0.0, 0.0)
@@ -114,9 +117,9 @@ def _check_corners(places: Array, shape: tuple[int, ...]) -> None:
 
 _WAYS: dict[str, Callable[[Array], Array]] = {
     "": lambda image: image,
-    "turned by 180°": lambda image: image[::-1, ::-1],
-    "mirrored left to right": lambda image: image[:, ::-1],
-    "mirrored top to bottom": lambda image: image[::-1],
+    Message("turned by 180°"): lambda image: image[::-1, ::-1],
+    Message("mirrored left to right"): lambda image: image[:, ::-1],
+    Message("mirrored top to bottom"): lambda image: image[::-1],
 }
 
 
@@ -140,13 +143,13 @@ def comparing(
     changes = _changes(first)
     exact = _light(first, target, heights)
     seen = rectified(picture, corners, target.shape)
+    if np.ptp(seen) == 0:
+        raise Refused("photograph", _NOT_WITHIN)
     seen = seen / np.abs(seen).mean()
     way = max(_WAYS, key=lambda each: _correlation(_WAYS[each](seen), exact))
     seen, radius = (_WAYS[way](each) for each in (seen, _radii(corners, picture.shape, seen.shape)))
     if _correlation(seen, exact) < _LEAST_CORRELATION:
-        raise Refused(
-            "photograph", Message("the picture of this lens is not within these corners; others")
-        )
+        raise Refused("photograph", _NOT_WITHIN)
     values, camera = np.zeros(len(changes)), _CAMERA
     for number, width in enumerate(_ROUNDS):
         base = _light(_changed(first, changes, values), target, heights)
@@ -200,12 +203,12 @@ def _changes(scene: Scene) -> list[_Change]:
     """Deviations that are looked for, each by how much it is."""
     distance = float(np.linalg.norm(way_to(scene, scene.receiver)))
     found = [
-        _Change("distance", "scene", 0.01 * distance, farther),
-        _Change("tilt about x", "°", 1.0, partial(_tilted, 0)),
-        _Change("tilt about y", "°", 1.0, partial(_tilted, 1)),
+        _Change(Message("distance"), "scene", 0.01 * distance, farther),
+        _Change(Message("tilt about x"), "°", 1.0, partial(_tilted, 0)),
+        _Change(Message("tilt about y"), "°", 1.0, partial(_tilted, 1)),
     ]
     if scene.source.continuous:
-        found.append(_Change("source size", "times", 0.1, _larger))
+        found.append(_Change(Message("source size"), "times", 0.1, _larger))
     return found
 
 
