@@ -13,18 +13,18 @@ from ui.panels.images import Thumbnail
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import capitalised, tr
+from workbench.files.session import Session
+from workbench.jobs import Job
+from workbench.scene import Scene
 from workbench.scene.image import as_viewed, side_in_words, viewed_from
 
 if TYPE_CHECKING:
-    from workbench.files.session import Session
-    from workbench.jobs import Job
     from workbench.jobs.prospect import Figure, Prospect
-    from workbench.scene import Scene
 
 _HIGH = 160  # logical pixels of a picture: two of them are compared
 
 
-def estimate(job: "Job", task: Task) -> None:
+def estimate(job: Job, task: Task) -> None:
     """Report the session of a job, then how far the estimate is, and what is found."""
     from workbench.design.task import begin  # late: take long to import
     from workbench.jobs.prospect import prospecting
@@ -82,7 +82,7 @@ class EstimateView(QWidget):
         self._figures.clear()
         self._state.show_text(f"\N{WARNING SIGN} {why}")
 
-    def show_target(self, session: "Session") -> None:
+    def show_target(self, session: Session) -> None:
         scene = self._scene = session.scene
         half_u, half_v = scene.receiver.half_extent
         self._aspect = half_u / half_v

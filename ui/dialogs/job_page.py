@@ -22,11 +22,10 @@ from ui.widgets.controls import STRETCH, filled
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.jobs import side_view
+from workbench.jobs import Job, side_view
 from workbench.scene.part import title_of
 
 if TYPE_CHECKING:
-    from workbench.jobs import Job
     from workbench.jobs.prospect import Prospect
 
 _FORM_WIDE = 400  # pixels
@@ -69,7 +68,7 @@ class JobPage(QWidget):
         buttons = filled(QHBoxLayout(), self._back, STRETCH, self._begin)
         filled(QVBoxLayout(self), (parts, 1), self._refusal, buttons, margins=24, spacing=12)
 
-    def show_job(self, kind: "type[Job]") -> None:
+    def show_job(self, kind: type[Job]) -> None:
         """Ask the questions of a job, with the answers of the last time."""
         job = kind()
         with suppress(Refused, ValueError, TypeError):
@@ -177,5 +176,5 @@ class JobPage(QWidget):
             self.form.choose_light(path)
 
 
-def _key(kind: "type[Job]") -> str:
+def _key(kind: type[Job]) -> str:
     return f"jobs/{kind.__name__}"

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QRect, QSettings, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QShowEvent
@@ -31,12 +30,9 @@ from ui.widgets.tiles import Shape, Tile, Tiles
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.scene import read_scene
-from workbench.jobs import JOBS
+from workbench.files.session import Session
+from workbench.jobs import JOBS, Job
 from workbench.scene.part import summary_of, title_of
-
-if TYPE_CHECKING:
-    from workbench.files.session import Session
-    from workbench.jobs import Job
 
 _WELL_HIGH, _WIDEST, _ICON = 176, 1600, 48  # pixels
 _MOST_RECENT = 6
@@ -120,7 +116,7 @@ class StartPage(QStackedWidget):
         bar = self._scrolled.verticalScrollBar()
         QTimer.singleShot(0, bar, partial(bar.setValue, 0))
 
-    def show_job(self, kind: "type[Job]") -> None:
+    def show_job(self, kind: type[Job]) -> None:
         """Ask the questions of a job."""
         self.setCurrentWidget(self.job)
         self.job.show_job(kind)
@@ -146,7 +142,7 @@ class StartPage(QStackedWidget):
         else:
             super().keyPressEvent(event)
 
-    def _begin(self, session: "Session", name: str) -> None:
+    def _begin(self, session: Session, name: str) -> None:
         if self._files.begin(session, name):
             self.setCurrentIndex(0)
             self.begun.emit()
@@ -205,7 +201,7 @@ def _short(folder: Path) -> str:
     return f"~/{folder.relative_to(own)}" if folder.is_relative_to(own) else str(folder)
 
 
-def _of_job(kind: "type[Job]") -> Callable[[], QImage]:
+def _of_job(kind: type[Job]) -> Callable[[], QImage]:
     return partial(QImage, str(resources.path("jobs", f"{kind.__name__}.jpg")))
 
 

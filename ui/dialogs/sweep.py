@@ -34,9 +34,9 @@ from workbench.errors import Refused
 from workbench.pictures.error_curves import Curve, draw_sweep
 from workbench.progress import Interrupted, interrupted_when
 from workbench.report.scene_rows import FieldRow, field_rows
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from workbench.scene import Scene
     from workbench.sweep.points import Point, Variation
     from workbench.sweep.sweep import PointRow
 
@@ -268,7 +268,7 @@ class SweepForm(QWidget):
             line = filled(QHBoxLayout(), (field, 1), (values, 1))
             self.lines.addRow(title, line)
 
-    def show_scene(self, scene: "Scene") -> None:
+    def show_scene(self, scene: Scene) -> None:
         """Offer the fields of a scene; the selection stays where possible."""
         self._rows = {row.path: row for row in field_rows(scene) if not _NOT.match(row.path)}
         for number, field in enumerate(self.fields):

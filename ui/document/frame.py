@@ -7,14 +7,14 @@ import numpy as np
 
 from ui.words import tr
 from workbench.arrays import Array
+from workbench.design.lens_state import LensState
+from workbench.design.snapshot import History, Result, Snapshot
+from workbench.files.session import KeptRun, Session
 from workbench.powers import written
+from workbench.scene import AnyReceiver, Scene, Source
 
 if TYPE_CHECKING:
-    from workbench.design.lens_state import LensState
-    from workbench.design.snapshot import History, Result, Snapshot
-    from workbench.files.session import KeptRun, Session
     from workbench.optics.paths import RayPaths
-    from workbench.scene import AnyReceiver, Scene, Source
 
 _SURFACE_SAMPLES = (65, 65)
 
@@ -26,15 +26,15 @@ RAYS = 45
 class Frame:
     """A snapshot of a run and what has to be computed to draw it."""
 
-    session: "Session"
-    snapshot: "Snapshot"
+    session: Session
+    snapshot: Snapshot
     surfaces: dict[str, Array]
-    source: "Source"
+    source: Source
     paths: "RayPaths"
-    result: "Result"
+    result: Result
 
     @property
-    def state(self) -> "LensState":
+    def state(self) -> LensState:
         return self.snapshot.state
 
     def of_image(self, number: int) -> "Frame":
@@ -45,7 +45,7 @@ class Frame:
         return replace(self, session=session, snapshot=replace(self.snapshot, state=state))
 
 
-def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
+def make_frame(session: Session, snapshot: Snapshot, history: History) -> Frame:
     """Sample the faces and trace the rays of a snapshot; for the worker's thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.geometry.surface import sample_faces
@@ -74,7 +74,7 @@ def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
     return type(paths)(paths.points[kept], paths.weight[kept], paths.on_screen[kept])
 
 
-def same_task(one: "Session", other: "Session") -> bool:
+def same_task(one: Session, other: Session) -> bool:
     """Whether both sessions have the same task, apart from the run."""
     if one is other:
         return True
@@ -93,7 +93,7 @@ def same_light(one: Frame, other: Frame) -> bool:
     return one.state.heights == other.state.heights and lit_alike(one.session, other.session)
 
 
-def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
+def lit_alike(one: Session | KeptRun, other: Session | KeptRun) -> bool:
     """Whether both tasks give a lens the same image and target; run and regions are ignored."""
     beside = {"run": other.scene.run, "regions": other.scene.regions}
     return one.scene.model_copy(update=beside) == other.scene and (
@@ -101,7 +101,7 @@ def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
     )
 
 
-def shows(frame: Frame, session: "Session") -> bool:
+def shows(frame: Frame, session: Session) -> bool:
     """Whether a frame shows the task of a session and its lens; without one, no lens of a run."""
     lens = session.result
     if lens is None:
@@ -114,7 +114,7 @@ def iterations_before(frame: Frame) -> int:
     return frame.result.iterations
 
 
-def image_titles(*scenes: "Scene") -> list[str]:
+def image_titles(*scenes: Scene) -> list[str]:
     """Return number and position of each image of the scenes.
 
     A scene with fewer images repeats its last one; differing positions are joined by an arrow.
@@ -128,7 +128,7 @@ def image_titles(*scenes: "Scene") -> list[str]:
     return titles
 
 
-def _place(receiver: "AnyReceiver", unit: str) -> str:
+def _place(receiver: AnyReceiver, unit: str) -> str:
     if receiver.at_distance:
         return f"z = {written(receiver.plane_z, unit)}"
     return tr(receiver.called)

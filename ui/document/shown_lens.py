@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
-from ui.document.frame import iterations_before, lit_alike, same_task, shows
+from ui.document.frame import Frame, iterations_before, lit_alike, same_task, shows
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
+from workbench.files.session import Session
 
 if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
     from workbench.pictures.loss import Verified
 
 _BUDGET = 64 << 20  # bytes of the frames of one course
@@ -24,7 +23,7 @@ _COURSES = 2  # as large as that are kept
 @dataclass
 class _KeptCourse:
     losses: weakref.ref[Array]
-    frames: "tuple[Frame, ...]"
+    frames: tuple[Frame, ...]
     gap: int
     checks: "tuple[Verified, ...]"
 
@@ -47,7 +46,7 @@ class FrameHistory(QObject):
         self._kept: list[_KeptCourse] = []
 
     @property
-    def frames(self) -> "Sequence[Frame]":
+    def frames(self) -> Sequence[Frame]:
         return self._frames
 
     @property
@@ -55,7 +54,7 @@ class FrameHistory(QObject):
         """Checks of lenses of this history, in the order of their ends."""
         return self._checks
 
-    def add(self, frame: "Frame") -> None:
+    def add(self, frame: Frame) -> None:
         """Add the latest frame; later frames of an earlier history are dropped."""
         frames, at = self._frames, iterations_before(frame)
         while frames and iterations_before(frames[-1]) >= at:
@@ -79,7 +78,7 @@ class FrameHistory(QObject):
         self._checks += (check,)
         self.changed.emit()
 
-    def add_later_check(self, check: "Verified", result: Result, session: "Session") -> None:
+    def add_later_check(self, check: "Verified", result: Result, session: Session) -> None:
         """Add a check of the lens of a result, whatever is shown now."""
         kept = self._of(result)
         if kept is not None:
@@ -89,13 +88,13 @@ class FrameHistory(QObject):
     def keep(self, result: Result) -> None:
         self._keep(result.losses, tuple(self._frames), self._checks)
 
-    def branch(self, frame: "Frame") -> None:
+    def branch(self, frame: Frame) -> None:
         """Keep the shown history up to a frame that becomes a result."""
         at = iterations_before(frame)
         before = (each for each in self._frames if iterations_before(each) < at)
         self._keep(frame.result.losses, (*before, frame), _until(at, self._checks))
 
-    def show(self, session: "Session") -> None:
+    def show(self, session: Session) -> None:
         """Show the history of a session's result; empty if there is none."""
         kept = None if session.result is None else self._of(session.result)
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
@@ -110,7 +109,7 @@ class FrameHistory(QObject):
         return next((kept for kept in self._kept if kept.losses() is result.losses), None)
 
     def _keep(
-        self, losses: Array, frames: "tuple[Frame, ...]", checks: "tuple[Verified, ...]"
+        self, losses: Array, frames: tuple[Frame, ...], checks: "tuple[Verified, ...]"
     ) -> None:
         self._kept.append(_KeptCourse(weakref.ref(losses), frames, self._gap, checks))
         self._save_memory()
@@ -128,7 +127,7 @@ def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
     return tuple(check for check in checks if check.iteration <= at)
 
 
-def _size(frame: "Frame") -> int:
+def _size(frame: Frame) -> int:
     state, paths = frame.state, frame.paths
     lights = state.irradiance, *(light.irradiance for light in state.further)
     faces = *state.heights.values(), *frame.surfaces.values()
@@ -158,15 +157,15 @@ class ShownLens(QObject):
         self.frame_changed.connect(self._store)
         self.emptied.connect(self._empty)
 
-    def _follow(self, session: "Session") -> None:
+    def _follow(self, session: Session) -> None:
         self._judge(self.frame is None or shows(self.frame, session))
 
-    def _store(self, frame: "Frame") -> None:
+    def _store(self, frame: Frame) -> None:
         self.frame = frame
         self._mark(False)
         self._judge(lit_alike(frame.session, self._document.session))
 
-    def _empty(self, session: "Session") -> None:
+    def _empty(self, session: Session) -> None:
         self.frame = None
         self._judge(True)
 

@@ -12,7 +12,6 @@ from functools import partial
 from pathlib import Path
 from subprocess import DEVNULL, PIPE, Popen, TimeoutExpired
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QMessageBox
@@ -26,14 +25,11 @@ from ui.words import capitalised, error_text, later, tr
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.formats import GCODE, Format, format_of, formats_for
-from workbench.files.export.options import MILLIMETRES, SCENE_UNIT, mesh_unit_of
+from workbench.files.export.options import MILLIMETRES, SCENE_UNIT, Chosen, mesh_unit_of
+from workbench.files.session import Session
 from workbench.progress import Interrupted
 from workbench.report.content import HTML, PDF, check_ending
-
-if TYPE_CHECKING:
-    from workbench.files.export.options import Chosen
-    from workbench.files.session import Session
-    from workbench.scene import Scene
+from workbench.scene import Scene
 
 
 class LensWriter(QObject):
@@ -58,7 +54,7 @@ class LensWriter(QObject):
     def close(self) -> None:
         self.background.close()
 
-    def _writable_lens(self) -> "Session | None":
+    def _writable_lens(self) -> Session | None:
         """Return the design to write; report why there is none, or no time for it."""
         if self.background.busy:
             self._messages.note(tr("A file is still being written. Start the next one after it."))
@@ -73,7 +69,7 @@ class LensWriter(QObject):
 class Exporter(LensWriter):
     """Asks for a file and writes it."""
 
-    ask_options: "Callable[[Session, Format], Chosen | None]"  # set by the window
+    ask_options: Callable[[Session, Format], Chosen | None]  # set by the window
 
     def choose_and_export(self) -> None:
         """Ask for a file, and the element where there are several, and write it."""
@@ -117,7 +113,7 @@ class Exporter(LensWriter):
         if chosen is not None and self._may_replace([each for each in files if each != path]):
             self._write(session, files, chosen, mesh_unit)
 
-    def ask_for_elements(self, scene: "Scene", several: bool = True) -> list[str]:
+    def ask_for_elements(self, scene: Scene, several: bool = True) -> list[str]:
         """Ask for one designed element or for all where there are several; none if cancelled."""
         names = [each.name for each in scene.optics]
         if len(names) == 1:
@@ -139,8 +135,8 @@ class Exporter(LensWriter):
         )
 
     def _options_of(
-        self, session: "Session", elements: Sequence[str], found: Format
-    ) -> "Chosen | None":
+        self, session: Session, elements: Sequence[str], found: Format
+    ) -> Chosen | None:
         if not elements:
             return None
         scene = session.scene.focused_on(elements[0])
@@ -148,9 +144,9 @@ class Exporter(LensWriter):
 
     def _write(
         self,
-        session: "Session",
+        session: Session,
         files: Mapping[Path, str],
-        chosen: "Chosen",
+        chosen: Chosen,
         mesh_unit: str = MILLIMETRES,
     ) -> None:
         title = tr("Export {name}").format(name=", ".join(path.name for path in files))
@@ -174,9 +170,9 @@ class Exporter(LensWriter):
 
 
 def _write(
-    session: "Session",
+    session: Session,
     files: Mapping[Path, str],
-    chosen: "Chosen",
+    chosen: Chosen,
     mesh_unit: str,
     lens: str,
     task: Task,
@@ -258,7 +254,7 @@ class Reporter(LensWriter):
         )
 
 
-def _write_report(session: "Session", name: str, path: Path, lens_text: str, task: Task) -> None:
+def _write_report(session: Session, name: str, path: Path, lens_text: str, task: Task) -> None:
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.session import write_session
 

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
+from typing import BinaryIO
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
 from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWriter
@@ -15,7 +15,12 @@ from ui.background import Background, Task
 from ui.commands.panes import PANES
 from ui.document.document import Document
 from ui.document.frame import iterations_before
+from ui.document.shown_lens import FrameHistory
 from ui.files.dialogs import FileDialogs
+from ui.views.loss_strip import LossStrip
+from ui.views.plot_view import PlotView
+from ui.views.scene_view import SceneView
+from ui.views.shared_view import SharedView
 from ui.widgets.messages import Messages
 from ui.widgets.native import rgb_image
 from ui.widgets.shelf import open_folder
@@ -23,14 +28,7 @@ from ui.words import error_text, in_sentence, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
-
-if TYPE_CHECKING:
-    from ui.document.shown_lens import FrameHistory
-    from ui.views.loss_strip import LossStrip
-    from ui.views.plot_view import PlotView
-    from ui.views.scene_view import SceneView
-    from ui.views.shared_view import SharedView
-    from workbench.pictures.axes import Column
+from workbench.pictures.axes import Column
 
 _PNG = ".png"
 _TABLE, _DATA = ".csv", ".json"
@@ -76,7 +74,7 @@ class Plots(_PictureFiles):
 
     def __init__(
         self,
-        plots: "Mapping[str, PlotView | LossStrip]",
+        plots: Mapping[str, PlotView | LossStrip],
         document: Document,
         messages: Messages,
         dialogs: FileDialogs,
@@ -156,7 +154,7 @@ class Plots(_PictureFiles):
         self._messages.note(tr("No plot is visible. The View menu shows the docks of plots."))
         return None
 
-    def _write_table(self, columns: "list[Column]", path: Path) -> None:
+    def _write_table(self, columns: list[Column], path: Path) -> None:
         if self.background.busy:
             self._messages.note(tr("A plot is still being written. Save the next one after it."))
             return
@@ -181,8 +179,8 @@ class Videos(_PictureFiles):
 
     def __init__(
         self,
-        history: "FrameHistory",
-        shared: "SharedView",
+        history: FrameHistory,
+        shared: SharedView,
         document: Document,
         messages: Messages,
         dialogs: FileDialogs,
@@ -236,7 +234,7 @@ class ScenePictures(_PictureFiles):
 
     def __init__(
         self,
-        view: "SceneView",
+        view: SceneView,
         document: Document,
         messages: Messages,
         dialogs: FileDialogs,

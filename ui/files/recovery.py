@@ -14,7 +14,7 @@ from datetime import datetime
 from enum import Enum, auto
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from uuid import uuid4
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
@@ -22,15 +22,13 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.background import Background, Task
 from ui.document.document import ENDING, Document
+from ui.document.frame import Frame
+from ui.run.control import RunControl
 from ui.widgets.messages import question
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import remove_left_behind, replacing
 from workbench.files.session import Session, write_session
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from ui.run.control import RunControl
 
 
 @dataclass(frozen=True)
@@ -196,10 +194,10 @@ class Recovery(QObject):
             self._lock.tryLock(0)
             self._timer.start()
 
-    def follow(self, control: "RunControl") -> None:
+    def follow(self, control: RunControl) -> None:
         """Back up the lens of a run, and its result at once."""
 
-        def note(frame: "Frame") -> None:
+        def note(frame: Frame) -> None:
             if control.busy:
                 self._frame = frame
 

@@ -2,22 +2,18 @@
 
 from collections.abc import Callable, Set
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
+from ui.views.scene_view import SceneView
 from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array, Mask
 from workbench.design.brush import Stroke, bump, resized
-from workbench.geometry.faces import FaceArrays
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.powers import written
-
-if TYPE_CHECKING:
-    from ui.views.scene_view import SceneView
-    from workbench.geometry.faces import ControlHeights
 
 _FIRST = 0.1  # of the lens's half-width
 
@@ -25,7 +21,7 @@ _FIRST = 0.1  # of the lens's half-width
 class Brush:
     """Brush over control points: position, radius and highlighting."""
 
-    def __init__(self, view: "SceneView") -> None:
+    def __init__(self, view: SceneView) -> None:
         self._view = view
         self._part = _FIRST  # of the half-width: it stays that with another lens
         self._index: tuple[int, int] | None = None
@@ -110,7 +106,7 @@ class BrushTool(Tool):
     shows_net = True
     keys: Set[int] = ARROWS.keys()
 
-    def __init__(self, view: "SceneView", brush: Brush, parent: QObject) -> None:
+    def __init__(self, view: SceneView, brush: Brush, parent: QObject) -> None:
         super().__init__(parent)
         self._view, self._brush = view, brush
 
@@ -148,7 +144,7 @@ class Lock(BrushTool):
     keys: Set[int] = ARROWS.keys() | _PAINTS
 
     def __init__(
-        self, view: "SceneView", brush: Brush, may: Callable[[], bool], parent: QObject
+        self, view: SceneView, brush: Brush, may: Callable[[], bool], parent: QObject
     ) -> None:
         super().__init__(view, brush, parent)
         self._may = may
@@ -215,7 +211,7 @@ _RISES: dict[int, int] = {Qt.Key.Key_PageUp: 1, Qt.Key.Key_PageDown: -1}
 
 @dataclass
 class _ControlDrag:
-    heights: "ControlHeights"  # before
+    heights: ControlHeights  # before
     face: str
     stroke: Stroke
     place: Array  # of the control point in the middle, shape (3,)
@@ -235,9 +231,9 @@ class Sculpt(BrushTool):
 
     def __init__(
         self,
-        view: "SceneView",
+        view: SceneView,
         brush: Brush,
-        heights: Callable[[], "ControlHeights | None"],
+        heights: Callable[[], ControlHeights | None],
         parent: QObject,
     ) -> None:
         super().__init__(view, brush, parent)

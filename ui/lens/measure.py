@@ -1,16 +1,12 @@
 """Measures the distance of two points on lens and screen."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from PySide6.QtCore import QObject, Qt
 
+from ui.views.scene_view import SceneView
 from ui.views.tools import Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array
-
-if TYPE_CHECKING:
-    from ui.views.scene_view import SceneView
 
 _DIGITS = 5
 
@@ -20,7 +16,7 @@ class Measure(Tool):
 
     cursor = Qt.CursorShape.CrossCursor
 
-    def __init__(self, view: "SceneView", parent: QObject) -> None:
+    def __init__(self, view: SceneView, parent: QObject) -> None:
         super().__init__(parent)
         self._view = view
         self._points: tuple[Array, ...] = ()

@@ -9,13 +9,13 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
 from ui.panels.edits import field_in_words
+from ui.views.scene_view import SceneView
 from ui.views.tools import ARROWS, Pointer, Tool
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from ui.views.scene_view import SceneView
     from workbench.pictures.handles import Handle
 
 _FINE = 1 / 10  # of the movement of the hand or key, with Shift
@@ -48,9 +48,7 @@ class MoveSource(Tool):
     shows_handles = True
     keys: Set[int] = _STEPS.keys()
 
-    def __init__(
-        self, view: "SceneView", scene: Callable[[], Scene | None], parent: QObject
-    ) -> None:
+    def __init__(self, view: SceneView, scene: Callable[[], Scene | None], parent: QObject) -> None:
         super().__init__(parent)
         self._view, self._scene = view, scene
         self._drag: _Drag | None = None

@@ -8,45 +8,40 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.background import Background, Task
+from ui.document.document import Document
 from ui.document.frame import Frame, make_frame, same_task
 from ui.lens.brush_tools import Brush, Lock, Sculpt
 from ui.lens.measure import Measure
 from ui.lens.move_source import MoveSource
+from ui.run.control import RunControl
+from ui.views.scene_view import SceneView
+from ui.views.tools import Tool
 from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.run import Evaluator
-from workbench.design.snapshot import History
+from workbench.design.snapshot import History, Result
 from workbench.errors import Refused
-from workbench.geometry.faces import FaceArrays
+from workbench.files.session import Session
+from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import nets_of
 from workbench.optics.ready import without_waiting
 from workbench.scene import Scene
-
-if TYPE_CHECKING:
-    from ui.document.document import Document
-    from ui.run.control import RunControl
-    from ui.views.scene_view import SceneView
-    from ui.views.tools import Tool
-    from workbench.design.snapshot import Result
-    from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights
 
 
 @dataclass(frozen=True, eq=False)
 class Draft:
     """A lens during a drag."""
 
-    session: "Session"
-    heights: "ControlHeights"
-    earlier: "Result | None" = None
+    session: Session
+    heights: ControlHeights
+    earlier: Result | None = None
     settled: bool = False
 
 
@@ -102,7 +97,7 @@ class LensTools(QObject):
     editing_began = Signal()
 
     def __init__(
-        self, document: "Document", control: "RunControl", view: "SceneView", parent: QObject
+        self, document: Document, control: RunControl, view: SceneView, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._control, self._view = document, control, view
@@ -155,7 +150,7 @@ class LensTools(QObject):
         tool.cancelled.connect(self._move_back)
         return tool
 
-    def _use(self, tool: "Tool | None") -> None:
+    def _use(self, tool: Tool | None) -> None:
         self._tool = tool
         self._view.use(tool)
 
@@ -194,7 +189,7 @@ class LensTools(QObject):
             self._note(_NO_LENS)
         return there
 
-    def _heights(self) -> "ControlHeights | None":
+    def _heights(self) -> ControlHeights | None:
         frame = self._view.frame
         if not self._may_change() or frame is None:
             return None
@@ -202,7 +197,7 @@ class LensTools(QObject):
         draft = self._settling
         return frame.state.heights if draft is None else draft.heights
 
-    def _shape(self, lens: "ControlHeights", settled: bool) -> None:
+    def _shape(self, lens: ControlHeights, settled: bool) -> None:
         frame = self._view.frame
         if frame is None:
             return
@@ -248,7 +243,7 @@ class LensTools(QObject):
         if steps.origin(self._key) is not None:
             self._as_own(steps.undo)
 
-    def _show_traced(self, draft: Draft, frame: "Frame") -> None:
+    def _show_traced(self, draft: Draft, frame: Frame) -> None:
         shown = self._view.frame
         if shown is not None and _differ_by_source(shown.session, draft.session):
             # Views begin anew with another session. While a source is dragged they need not: all
@@ -261,7 +256,7 @@ class LensTools(QObject):
         elif not self._shaping and self._settling is None:
             self._control.preview()  # of the design with its other source, once that rests
 
-    def _keep(self, frame: "Frame") -> None:
+    def _keep(self, frame: Frame) -> None:
         if _lens_of(self._document.session) != frame.state.heights:
             text = tr("move control points")
             self._as_own(lambda: self._document.set_result(frame.result, text))
@@ -308,12 +303,12 @@ class LensTools(QObject):
             self._live.forget()
 
 
-def _differ_by_source(one: "Session", other: "Session") -> bool:
+def _differ_by_source(one: Session, other: Session) -> bool:
     lit = other.scene.model_copy(update={"source": one.scene.source})
     return same_task(one, replace(other, scene=lit))
 
 
-def _lens_of(session: "Session") -> "ControlHeights":
+def _lens_of(session: Session) -> ControlHeights:
     if session.heights is not None:
         return session.heights
     limits = HeightLimits.of_scene(session.scene)

@@ -20,11 +20,11 @@ from ui.widgets.labels import WrappedLabel
 from ui.words import capitalised, later, tr
 from workbench.files.export.formats import GCODE, Format
 from workbench.files.export.options import Chosen, Cutting
+from workbench.files.session import Session
 from workbench.powers import written
 
 if TYPE_CHECKING:
     from workbench.files.export.cut_plan import CutPlan
-    from workbench.files.session import Session
 
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
@@ -39,7 +39,7 @@ class AskOptions:
     def __init__(self, window: QWidget, settings: QSettings) -> None:
         self._window, self._settings = window, settings
 
-    def __call__(self, session: "Session", found: Format) -> Chosen | None:
+    def __call__(self, session: Session, found: Format) -> Chosen | None:
         """Return the options, and the planned cut of G-code; None if cancelled."""
         if not found.options:
             return Chosen()
@@ -65,7 +65,7 @@ class AskOptions:
 class CutterDialog(QDialog):
     """Fields of a cut, and the result of its simulation."""
 
-    def __init__(self, session: "Session", begin_with: Cutting, window: QWidget) -> None:
+    def __init__(self, session: Session, begin_with: Cutting, window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle(tr("Ball cutter"))
         self._session, self._unit = session, session.scene.unit
@@ -187,7 +187,7 @@ def _words(plan: "CutPlan", unit: str) -> str:
     return f"\N{CHECK MARK} {tr('The cutter fits.')} {found}"
 
 
-def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
+def _plan(session: Session, cutting: Cutting, task: Task) -> "CutPlan | None":
     from workbench.design.session import result_of  # late: take long to import
     from workbench.files.export.cut_plan import planning
     from workbench.files.export.design import Design
@@ -196,7 +196,7 @@ def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
     return task.follow(planning(design), task.report)
 
 
-def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
+def _trace(session: Session, plan: "CutPlan", task: Task) -> str | None:
     from workbench.analysis.making.as_made import checking  # late: takes long to import
     from workbench.design.session import result_of
     from workbench.report.figures import made_rows

@@ -1,15 +1,16 @@
 """The dock Manufacture: computed only while it is visible and the design rests."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 from PySide6.QtCore import QSettings, Signal
 from PySide6.QtGui import QAction
 
 from ui.background import Background, Task
-from ui.document.frame import same_light
+from ui.document.frame import Frame, same_light
 from ui.manufacture.figures import LimitFields, ManufactureFigures
 from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
@@ -23,17 +24,10 @@ from workbench.analysis.manufacture import (
 )
 from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array
+from workbench.files.session import Session
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.progress import finished, of_equal, within
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
 
 _PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
@@ -67,7 +61,7 @@ class FaceMap(FaceMapView):
         names = zip(MAPS, _TIPS, hatched, strict=True)
         super().__init__([(tr(name), f"{tr(tip)}{more}") for name, tip, more in names])
 
-    def show_maps(self, frame: "Frame", maps: "Mapping[str, SurfaceMaps]") -> None:
+    def show_maps(self, frame: Frame, maps: Mapping[str, SurfaceMaps]) -> None:
         self._maps = maps
         self.faces.show_scene(frame.session.scene)
         self.show_frame(frame)
@@ -78,27 +72,27 @@ class FaceMap(FaceMapView):
             self._limits = limits
             self._begin_anew()
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._maps = {}
         super().show_nothing(session)
 
-    def _new_image(self, axes: "Axes", session: "Session") -> "_DrawnMap":
+    def _new_image(self, axes: Axes, session: Session) -> "_DrawnMap":
         maps = self._maps.get(self.faces.face)
         if maps is None:
             return _DrawnMap(np.zeros((1, 1)))
         name, unit = MAPS[self.quantity], session.scene.unit
         return _DrawnMap(draw_map(axes, name, maps, self._limits, unit))
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return np.zeros((1, 1))  # the map is drawn at the beginning
 
-    def _unit(self, session: "Session") -> str:
+    def _unit(self, session: Session) -> str:
         unit = map_unit(MAPS[self.quantity], session.scene.unit).removeprefix("1 ")
         return unit or tr("exceeded")
 
 
 class _Found(NamedTuple):
-    frame: "Frame"
+    frame: Frame
     figures: dict[str, Manufacture]  # by the names of elements
     maps: dict[str, SurfaceMaps]
 
@@ -122,12 +116,12 @@ class ManufacturePane(ComputingView):
         self._fields.changed.connect(self.limits_changed)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
-    def show_design(self, session: "Session") -> None:
+    def show_design(self, session: Session) -> None:
         self._fields.show_scene(session.scene)
         self.map.show_design(session)
         super().show_design(session)
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._found = None
         super().show_nothing(session)
         self.map.show_nothing(session)

@@ -18,11 +18,11 @@ from ui.widgets.controls import Table, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.making.plan_options import PlanOptions
+from workbench.files.session import Session
 from workbench.powers import written
 
 if TYPE_CHECKING:
     from workbench.analysis.making.plan import ShopPlan, ShopPlans
-    from workbench.files.session import Session
 
 _COLUMNS = later(("Step-over", "Scallop", "Polish over", "Error as made", "Minutes"))
 _ABOUT = later(
@@ -35,9 +35,7 @@ _ROWS = 12  # lines of text that the table is at least high
 class PlanDialog(QDialog):
     """Finds plans for a lens; ``choose`` gets the edit that makes the lens by one of them."""
 
-    def __init__(
-        self, session: "Session", choose: Callable[[Edit], object], window: QWidget
-    ) -> None:
+    def __init__(self, session: Session, choose: Callable[[Edit], object], window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle(tr("Plan milling and polishing"))
         self._session, self._choose = session, choose
@@ -122,7 +120,7 @@ class PlanDialog(QDialog):
         self.accept()
 
 
-def _plans(session: "Session", options: PlanOptions, task: Task) -> "ShopPlans | None":
+def _plans(session: Session, options: PlanOptions, task: Task) -> "ShopPlans | None":
     from workbench.analysis.making.plan import planning  # slow import
     from workbench.design.session import result_of
 

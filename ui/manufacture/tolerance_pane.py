@@ -1,53 +1,46 @@
 """The dock Tolerances: the distribution of the error of perturbed lenses."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from PySide6.QtCore import Signal
 
 from ui.background import Background, Task
-from ui.document.frame import same_light, shows
+from ui.document.frame import Frame, same_light, shows
 from ui.manufacture.tolerance_form import ToleranceForm
 from ui.views.plot_view import PlotView
 from ui.views.view import View
 from ui.widgets.controls import SideBySide
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
-from workbench.analysis.tolerance_fields import ABOUT, PAIRS
-from workbench.analysis.tolerances import Distribution
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
+from workbench.analysis.tolerances import Distribution, Perturbed
+from workbench.files.session import Session
 from workbench.pictures.axes import Column
 from workbench.pictures.error_curves import draw_errors
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.analysis.tolerance_fields import Tolerances
-    from workbench.analysis.tolerances import Perturbed
-    from workbench.files.session import Session
 
 
 @dataclass(eq=False)
 class Sample:
     """Perturbed lenses that are traced so far."""
 
-    frame: "Frame"
-    within: "Tolerances"
+    frame: Frame
+    within: Tolerances
     wanted: int
     seed: int
-    nominal: "Perturbed | None" = None
-    others: "list[Perturbed]" = field(default_factory=list)
+    nominal: Perturbed | None = None
+    others: list[Perturbed] = field(default_factory=list)
 
     @property
     def shown(self) -> bool:
         return bool(self.others)
 
-    def add(self, each: "Perturbed") -> None:
+    def add(self, each: Perturbed) -> None:
         """Add a lens; the first is the nominal one."""
         if self.nominal is None:
             self.nominal = each
@@ -117,17 +110,17 @@ class SpreadView(PlotView):
         spread = Distribution.of(sample.nominal, sample.others)
         return spread.to_data() | {"samples": [each.to_data() for each in sample.others]}
 
-    def _why_empty(self, frame: "Frame | None") -> str:
+    def _why_empty(self, frame: Frame | None) -> str:
         return "" if self._sample is not None else tr(self._WAITING)
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
         sample = self._sample
         if sample is not None and sample.nominal is not None:
             errors = [each.relative_l2 for each in sample.others]
             draw_errors(axes, sample.nominal.relative_l2, errors)
         return ()
 
-    def _change(self, frame: "Frame") -> bool:
+    def _change(self, frame: Frame) -> bool:
         return False  # another lens has another picture
 
 
@@ -161,7 +154,7 @@ class TolerancePane(View):
     def outdated(self) -> bool:
         return self._of_another
 
-    def show_design(self, session: "Session") -> None:
+    def show_design(self, session: Session) -> None:
         self.form.show_scene(session.scene)
         self.plot.show_design(session)
         super().show_design(session)
@@ -169,7 +162,7 @@ class TolerancePane(View):
             self.background.stop()  # the lenses that are traced count
             self._offer()
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         super().show_frame(frame)
         self._offer()
 
@@ -194,7 +187,7 @@ class TolerancePane(View):
             self.background.begin(partial(trace_sample, sample, _RAYS), sample, tr("Tolerances"))
             self._offer()
 
-    def _add_lens(self, sample: Sample, each: "Perturbed") -> None:
+    def _add_lens(self, sample: Sample, each: Perturbed) -> None:
         sample.add(each)
         self._follow(sample)
 

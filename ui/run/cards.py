@@ -19,18 +19,18 @@ from PySide6.QtWidgets import (
 )
 
 from ui.background import Background, Task
+from ui.commands.actions import Commands
+from ui.document.frame import Frame
 from ui.run.control import RunControl
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import Veil, WrappedLabel
 from ui.widgets.marks import Mark
 from ui.words import in_sentence, later, tr
+from workbench.design.session import Session, VerifiedError
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from ui.commands.actions import Commands
-    from ui.document.frame import Frame
-    from workbench.design.session import Session, VerifiedError
     from workbench.report.findings import Attainable, Cure, Finding, Goal, Level
-    from workbench.scene import Scene
 
 
 class Findings(QObject):
@@ -43,7 +43,7 @@ class Findings(QObject):
     command_asked = Signal(str)
 
     def __init__(
-        self, control: RunControl, verified: "Callable[[Frame], VerifiedError | None]"
+        self, control: RunControl, verified: Callable[[Frame], VerifiedError | None]
     ) -> None:
         super().__init__(control)
         self._control, self._verified = control, verified
@@ -55,11 +55,11 @@ class Findings(QObject):
         self._background.failed.connect(self.failed)
         control.ended.connect(lambda: QTimer.singleShot(0, self, self._mend_waiting))
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         self._frame = frame
         self.refresh()
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._frame = None
         self._background.cancel()
         self.found.emit((), session.scene, True)
@@ -97,7 +97,7 @@ class Findings(QObject):
         if cure is not None:
             self.mend(cure)
 
-    def _emit(self, frame: "Frame", findings: "tuple[Finding, ...]") -> None:
+    def _emit(self, frame: Frame, findings: "tuple[Finding, ...]") -> None:
         self.found.emit(findings, frame.session.scene, frame is self._frame)
         for finding in findings:
             if finding.places is not None:
@@ -105,8 +105,8 @@ class Findings(QObject):
 
 
 def _found(
-    frame: "Frame",
-    verified: "VerifiedError | None",
+    frame: Frame,
+    verified: VerifiedError | None,
     attainable: "Attainable | None",
     rests: bool,
     task: Task,
@@ -160,7 +160,7 @@ class _Card(QFrame):
         row = filled(QHBoxLayout(self), self.mark, (beside, 1), margins=(8, 8, 8, 8), spacing=8)
         row.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
 
-    def show_finding(self, finding: "Finding", scene: "Scene") -> None:
+    def show_finding(self, finding: "Finding", scene: Scene) -> None:
         text = tr(finding.sentence)
         if (text, finding.level) != (self.text, self.mark.sign):
             self.text = text
@@ -174,7 +174,7 @@ class _Card(QFrame):
             self._limit = self._goal.of(scene)
             self.limit.setText(self._written(self._limit))
 
-    def allow(self, commands: "Commands") -> None:
+    def allow(self, commands: Commands) -> None:
         """Show the button if its command is available, or its edit can end a run."""
         cure = self._cure
         self.button.setVisible(
@@ -204,7 +204,7 @@ class _Card(QFrame):
 class ResultCards(QWidget):
     """The findings as cards, greyed while they are of another design."""
 
-    def __init__(self, findings: Findings, commands: "Commands") -> None:
+    def __init__(self, findings: Findings, commands: Commands) -> None:
         super().__init__()
         self._findings, self._commands = findings, commands
         self.cards: dict[str, _Card] = {}
@@ -232,7 +232,7 @@ class ResultCards(QWidget):
         self._inner.setEnabled(not covered)
         self._veil.cover(covered)
 
-    def _show(self, findings: "tuple[Finding, ...]", scene: "Scene", latest: bool) -> None:
+    def _show(self, findings: "tuple[Finding, ...]", scene: Scene, latest: bool) -> None:
         # Late: torch comes with it; it is there after a finding.
         from workbench.report.findings import GOALS
 

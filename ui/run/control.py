@@ -2,23 +2,19 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.background import Background
 from ui.document.document import Document
-from ui.document.frame import iterations_before
+from ui.document.frame import Frame, iterations_before
 from ui.document.shown_lens import FrameHistory
 from ui.run.kept_runs import called, with_run
 from ui.run.worker import Generate, RunJob, work
 from ui.words import later, tr
 from workbench.design.snapshot import Result
 from workbench.design.task import origin
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
+from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz
 
@@ -61,18 +57,18 @@ class Runner(QObject):
         """The best lens so far of the active run, if any."""
         return self._best
 
-    def start(self, session: "Session", continue_run: bool) -> None:
+    def start(self, session: Session, continue_run: bool) -> None:
         if self._state != "idle":
             raise RuntimeError(f"cannot start a run while one is {self._state}")
         self._give(RunJob(session, continue_run=continue_run, generate=self._generate))
         self._set_state("running")
 
-    def preview(self, session: "Session") -> None:
+    def preview(self, session: Session) -> None:
         """Show the lens with its stored figures, or those of a first trace."""
         if self._state == "idle":
             self._give(RunJob(session, preview=True, generate=self._generate))
 
-    def show(self, frame: "Frame") -> None:
+    def show(self, frame: Frame) -> None:
         """Show a frame from elsewhere in place of a preview."""
         if self._state == "idle":
             self._drop_job()
@@ -184,7 +180,7 @@ class RunControl(QObject):
     def go_on(self) -> None:
         self._start(continue_run=True)
 
-    def go_on_from(self, frame: "Frame") -> None:
+    def go_on_from(self, frame: Frame) -> None:
         self.history.branch(frame)
         self._document.set_result(
             frame.result, tr("return to iteration {number}").format(number=iterations_before(frame))
@@ -197,7 +193,7 @@ class RunControl(QObject):
         else:
             self.runner.pause()
 
-    def show(self, frame: "Frame") -> None:
+    def show(self, frame: Frame) -> None:
         """Show a frame of a drag in place of a preview."""
         self._preview.stop()
         self.runner.show(frame)
@@ -217,11 +213,11 @@ class RunControl(QObject):
         if not (self.busy or self.followed):
             self.runner.preview(self._document.session)
 
-    def _keep(self, frame: "Frame") -> None:
+    def _keep(self, frame: Frame) -> None:
         if self.busy:  # a preview is no moment of a run
             self.history.add(frame)
 
-    def _follow(self, session: "Session") -> None:
+    def _follow(self, session: Session) -> None:
         if not self.busy:
             self.history.show(session)
 
@@ -252,11 +248,11 @@ class CurrentLens(QObject):
         control.runner.frame_ready.connect(self._keep_preview)
 
     @property
-    def in_the_making(self) -> "Result | None":
+    def in_the_making(self) -> Result | None:
         return None if self._control is None else self._control.runner.best
 
     @property
-    def session(self) -> "Session | None":
+    def session(self) -> Session | None:
         """The design with the shown lens as its result; None where there is no lens yet."""
         session = self._document.session
         making = self.in_the_making
@@ -286,5 +282,5 @@ class CurrentLens(QObject):
             )
         )
 
-    def _keep_preview(self, frame: "Frame") -> None:
+    def _keep_preview(self, frame: Frame) -> None:
         self._preview = frame

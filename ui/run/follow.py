@@ -12,29 +12,24 @@
    counts as stopped: continuing its design would replace it.
 """
 
+from collections.abc import Generator
 from dataclasses import dataclass, replace
 from functools import partial
 from time import monotonic
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.background import Background
 from ui.document.document import Document
+from ui.document.frame import Frame
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, with_followed
 from ui.run.worker import RunJob, frame_of, work
 from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
-from workbench.design.snapshot import STOPPED
+from workbench.design.snapshot import STOPPED, Result, Snapshot
+from workbench.files.session import Session
 from workbench.messages import Message
-
-if TYPE_CHECKING:
-    from collections.abc import Generator
-
-    from ui.document.frame import Frame
-    from workbench.design.snapshot import Result, Snapshot
-    from workbench.files.session import Session
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _GRACE_MS = 500  # that a design has for its first result once an edit waits for its end
@@ -47,7 +42,7 @@ _SLOW = later("Updating the {optic}: slow task, edits are applied after a pause"
 
 @dataclass(eq=False)
 class _Design:
-    session: "Session"
+    session: Session
     job: RunJob
     own_step: bool = False
     own_edit: bool = False
@@ -103,7 +98,7 @@ class Follow(QObject):
     def text(self) -> str:
         return self._text
 
-    def follows(self, session: "Session") -> bool:
+    def follows(self, session: Session) -> bool:
         """Whether live update designs a lens for this session."""
         return self._on and session.scene.run.method == "auto"
 
@@ -147,7 +142,7 @@ class Follow(QObject):
         if seen.state.heights != session.result.state.heights:
             self._control.show(frame_of(session, session.result))
 
-    def _note_change(self, session: "Session") -> None:
+    def _note_change(self, session: Session) -> None:
         self._changes += 1
         if self._rested.isActive():  # an edit begins the pause anew after this
             self._rested.start(0)
@@ -155,11 +150,11 @@ class Follow(QObject):
         if opened and session.heights is None and self.follows(session):
             self._begin(session, abandons=True)
 
-    def _begin_new(self, session: "Session") -> None:
+    def _begin_new(self, session: Session) -> None:
         if self.follows(session):
             self._begin(session, abandons=True)
 
-    def _follow(self, before: "Session", after: "Session") -> None:
+    def _follow(self, before: Session, after: Session) -> None:
         alone, self._changes = self._changes == 1, 0
         if not self.follows(after):
             self._chain = None
@@ -174,10 +169,10 @@ class Follow(QObject):
 
     def _begin(
         self,
-        session: "Session",
+        session: Session,
         chain: object = None,
         *,
-        before: "Session | None" = None,
+        before: Session | None = None,
         own_step: bool = False,
         abandons: bool = False,
     ) -> None:
@@ -223,8 +218,8 @@ class Follow(QObject):
             self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
     def _snapshots(
-        self, session: "Session", chain: object, before: "Session | None"
-    ) -> "Generator[Snapshot, None, str]":
+        self, session: Session, chain: object, before: Session | None
+    ) -> Generator[Snapshot, None, str]:
         """For the thread, which alone uses the earlier lenses."""
         return (yield from self._live.snapshots(session, chain, before))
 
@@ -267,7 +262,7 @@ class Follow(QObject):
         if self._next is not None:
             self._give_up()
 
-    def _put(self, design: _Design, best: "Result") -> None:
+    def _put(self, design: _Design, best: Result) -> None:
         session, displaced = with_followed(self._document.session, best)
         if design.own_step:
             design.own_step = False

@@ -1,19 +1,16 @@
 """Log of runs: their stages, and what was chosen for their traces."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from ui.document.document import Document
+from ui.document.frame import Frame
 from ui.run.control import RunControl
 from ui.run.status import clock
 from ui.words import later, tr
+from workbench.design.snapshot import Snapshot
 from workbench.powers import written
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.design.snapshot import Snapshot
 
 _TURNS = later(
     {
@@ -58,7 +55,7 @@ class RunLog(QObject):
             )
             self._log(tr(_TURNS[before, state]) + at)
 
-    def _log_frame(self, frame: "Frame") -> None:
+    def _log_frame(self, frame: Frame) -> None:
         if not self._control.busy:  # a preview
             return
         shot, last = frame.snapshot, self._last

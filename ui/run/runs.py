@@ -1,26 +1,22 @@
 """Kept runs and checks of runs: between the document, the runs that end, and the table."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
-from ui.document.frame import shows
+from ui.document.frame import Frame, shows
 from ui.run.checks import CheckedLens, RunCheck, verified_error
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, renamed, restored, without
 from ui.run.table import RunTable
 from ui.words import tr
+from workbench.analysis.validation_figures import Validation
 from workbench.design.session import VerifiedError
 from workbench.errors import Refused
 from workbench.files.session import KeptRun, Session
 from workbench.pictures.loss import LossCourse
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.analysis.validation_figures import Validation
 
 
 class Runs(QObject):
@@ -58,7 +54,7 @@ class Runs(QObject):
             "compare_runs": self._compare_chosen,
         }
 
-    def note_check(self, lens: CheckedLens, found: "Validation") -> None:
+    def note_check(self, lens: CheckedLens, found: Validation) -> None:
         if found.contradiction:
             return
         session = self._document.session
@@ -72,7 +68,7 @@ class Runs(QObject):
         if self.comparison is not None:
             self.comparison.show_figures()
 
-    def error_of(self, frame: "Frame") -> VerifiedError | None:
+    def error_of(self, frame: Frame) -> VerifiedError | None:
         """Return the verified error of a shown lens; None during a run, or without a check."""
         session, result = self._document.session, self._document.session.result
         if self._control.busy or result is None or not shows(frame, session):

@@ -1,16 +1,12 @@
 """Status bar of a window: what goes on, progress and remaining time of a run, tasks."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QWidget
 
+from ui.document.frame import Frame
 from ui.widgets.labels import ElidedLabel
 from ui.words import later, tr
 from workbench.design.snapshot import Pace
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
 
 _READ_MS = 6000  # a sentence
 _ITERATION = later("iteration {done} of {count}{rate}")
@@ -64,7 +60,7 @@ class RunStatus:
         self._state.setText(sentence)
         self._read.start(_READ_MS)
 
-    def show_frame(self, frame: "Frame", running: bool) -> None:
+    def show_frame(self, frame: Frame, running: bool) -> None:
         for part in self._of_run:
             part.setVisible(running)
         if not running:

@@ -8,18 +8,16 @@
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
 from threading import Condition, Lock
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from ui.background import Task
 from ui.document.frame import Frame, make_frame
 from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
+from workbench.files.session import Session
 from workbench.geometry.faces import ControlHeights, Locks
 from workbench.progress import given_up_when, interrupted_when
-
-if TYPE_CHECKING:
-    from workbench.files.session import Session
-    from workbench.scene import Run, Scene
+from workbench.scene import Run, Scene
 
 Value = TypeVar("Value")
 
@@ -103,7 +101,7 @@ class Gate:
 class RunJob:
     """One task for the worker."""
 
-    session: "Session"
+    session: Session
     preview: bool = False
     continue_run: bool = False
     generate: Generate | None = None
@@ -117,7 +115,7 @@ class RunJob:
         self.history = History(earlier)
 
 
-def frame_of(session: "Session", result: Result) -> Frame:
+def frame_of(session: Session, result: Result) -> Frame:
     """Return the frame of a session's result."""
     frame = make_frame(session, _as_snapshot(result, session.scene.run), History(result))
     return replace(frame, result=result)  # with why its run ended
@@ -203,7 +201,7 @@ def _engine() -> Generate:
     return run
 
 
-def _as_snapshot(result: Result, run: "Run") -> Snapshot:
+def _as_snapshot(result: Result, run: Run) -> Snapshot:
     return Snapshot(
         result.state,
         iteration=result.iterations,

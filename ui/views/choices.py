@@ -1,7 +1,5 @@
 """Choices of an image and of a face of the scene; hidden where there is only one."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
 
@@ -9,9 +7,7 @@ from ui.document.frame import image_titles
 from ui.views.shared_view import SharedView
 from ui.words import capitalised, tr
 from workbench.geometry.surface import nets_of
-
-if TYPE_CHECKING:
-    from workbench.scene import Scene
+from workbench.scene import Scene
 
 
 class ImageChoice(QComboBox):
@@ -25,7 +21,7 @@ class ImageChoice(QComboBox):
         self.activated.connect(shared.slot("number"))
         self.hide()
 
-    def show_scene(self, scene: "Scene") -> None:
+    def show_scene(self, scene: Scene) -> None:
         titles = image_titles(scene)
         with QSignalBlocker(self):
             if titles != [self.itemText(number) for number in range(self.count())]:
@@ -58,7 +54,7 @@ class FaceChoice(QComboBox):
     def choose(self, face: str) -> None:
         self.setCurrentIndex(self.findData(face))
 
-    def show_scene(self, scene: "Scene") -> None:
+    def show_scene(self, scene: Scene) -> None:
         """Offer the freeform faces of a scene; the selection stays where possible."""
         faces = list(nets_of(scene))
         if faces == [self.itemData(number) for number in range(self.count())]:

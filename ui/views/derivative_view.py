@@ -4,41 +4,38 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
+from matplotlib.axes import Axes
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QSpinBox
 
 from ui.background import Background, Task
-from ui.document.frame import same_task
+from ui.document.frame import Frame, same_task
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView
 from ui.words import later, tr
 from workbench.arrays import Array
-from workbench.geometry.faces import ControlPoint
+from workbench.files.session import Session
+from workbench.geometry.faces import ControlHeights, ControlPoint
 from workbench.geometry.surface import nets_of
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
     from workbench.analysis.derivatives import DerivativeMap
-    from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights
-    from workbench.scene import Scene
 
 
 @dataclass(frozen=True, eq=False)
 class DerivativeRequest:
     """Request for a derivative map."""
 
-    scene: "Scene"
-    heights: "ControlHeights"
-    point: "ControlPoint"
+    scene: Scene
+    heights: ControlHeights
+    point: ControlPoint
 
 
 class DerivativeView(ImageView, ComputingView):
@@ -76,7 +73,7 @@ class DerivativeView(ImageView, ComputingView):
                 box.setValue(number)
         self._want()
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
             self._faces.show_scene(frame.session.scene)
@@ -84,7 +81,7 @@ class DerivativeView(ImageView, ComputingView):
         self._offer()
         super().show_frame(frame)
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._map = None
         super().show_nothing(session)
         self._state("")
@@ -139,21 +136,21 @@ class DerivativeView(ImageView, ComputingView):
             return False
         return (of.heights, of.point) != (frame.state.heights, self.point)
 
-    def _why_empty(self, frame: "Frame | None") -> str:
+    def _why_empty(self, frame: Frame | None) -> str:
         if frame is not None and self._map is None:
             return self._stated
         return super()._why_empty(frame)
 
-    def _extent(self, session: "Session") -> Extent:
+    def _extent(self, session: Session) -> Extent:
         return Extent.of_receiver(session.scene)
 
-    def _unit(self, session: "Session") -> str:
+    def _unit(self, session: Session) -> str:
         return f"{tr(light_unit(session.scene).words)} / {session.scene.unit}"
 
-    def _new_image(self, axes: "Axes", session: "Session") -> DerivativeImage:
+    def _new_image(self, axes: Axes, session: Session) -> DerivativeImage:
         return DerivativeImage(axes, session.scene)
 
-    def _shown_array(self, frame: "Frame") -> Array | None:
+    def _shown_array(self, frame: Frame) -> Array | None:
         return None if self._map is None else self._map.map
 
 

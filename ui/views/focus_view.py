@@ -5,7 +5,6 @@ A moved slider is answered with few rays at once, and with many when it rests.
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
@@ -13,7 +12,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QSlider
 
 from ui.background import Background, Task
-from ui.document.frame import same_task
+from ui.document.frame import Frame, same_task
 from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotCanvas
 from ui.views.shared_view import SharedView
@@ -21,26 +20,23 @@ from ui.views.view import ComputingView, View
 from ui.widgets.figures import translate
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
+from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.design.session import verified_error
 from workbench.errors import RunFailed
+from workbench.files.session import Session
+from workbench.geometry.faces import ControlHeights
 from workbench.pictures.error_curves import FocusCurve
 from workbench.powers import written
 from workbench.process import usable_threads
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.analysis.validation_figures import Validation
-    from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights
 
 
 @dataclass(frozen=True, eq=False)
 class FocusRequest:
     """Request for traces to screens at other distances."""
 
-    session: "Session"
-    heights: "ControlHeights"
+    session: Session
+    heights: ControlHeights
     traces: tuple[tuple[float, int], ...]
 
 
@@ -53,7 +49,7 @@ def trace_through_focus(request: FocusRequest, task: Task) -> None:
         task.report((z, found))
 
 
-def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> "Validation | None":
+def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> Validation | None:
     # Late: what it stands on is slow to import.
     from workbench.analysis.validation import validating
 
@@ -92,7 +88,7 @@ class FocusCurveView(View):
     def errors(self) -> list[tuple[float, float]]:
         return sorted(self._errors.items())
 
-    def begin(self, session: "Session", ends: tuple[float, float]) -> None:
+    def begin(self, session: Session, ends: tuple[float, float]) -> None:
         """Remove all errors, for another lens."""
         self._ends, self._errors, self._curve = ends, {}, None
         self.show_design(session)
@@ -105,7 +101,7 @@ class FocusCurveView(View):
         self._z = z
         self._ask()
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         if self._curve is None:
             self._curve = FocusCurve(self._canvas.begin(), session.scene, self._ends)
             self._canvas.animate([self._curve.mark])
@@ -163,10 +159,10 @@ class FocusView(LightImageView, ComputingView):
         self._curve.hide()
         self.add_below(self._curve)
 
-    def _number(self, session: "Session") -> int:
+    def _number(self, session: Session) -> int:
         return 0
 
-    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+    def _at_rest(self, session: Session) -> tuple[str, ...]:
         return (self._stated,)
 
     @property
@@ -174,12 +170,12 @@ class FocusView(LightImageView, ComputingView):
         """Z of the shown screen; needs a frame."""
         return self._z_of(self._slider.value())
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._forget()
         super().show_nothing(session)
         self._state("")
@@ -208,7 +204,7 @@ class FocusView(LightImageView, ComputingView):
         if self._seen() and self._at_a_distance(self._frame):
             self._trace()
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return np.zeros_like(frame.session.target) if self._traced is None else self._traced
 
     def _compute(self) -> None:
@@ -224,7 +220,7 @@ class FocusView(LightImageView, ComputingView):
         request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
         self._image_of.begin(partial(trace_through_focus, request), request)
 
-    def _show_light(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
+    def _show_light(self, request: FocusRequest, traced: tuple[float, Validation | None]) -> None:
         _, found = traced
         if found is None:
             self._traced = np.zeros_like(request.session.target)
@@ -274,7 +270,7 @@ class FocusView(LightImageView, ComputingView):
         request = FocusRequest(*lens, tuple((z, _CURVE_RAYS) for z in places))
         self._curve_of.begin(partial(trace_through_focus, request), request)
 
-    def _add_error(self, request: FocusRequest, traced: "tuple[float, Validation | None]") -> None:
+    def _add_error(self, request: FocusRequest, traced: tuple[float, Validation | None]) -> None:
         z, found = traced
         self._curve.add(z, 1.0 if found is None else found.relative_l2_corrected)
 
@@ -284,10 +280,10 @@ class FocusView(LightImageView, ComputingView):
         return screen_at(frame.session.scene, frame.state.heights, part / _SCREEN)
 
     @staticmethod
-    def _at_a_distance(frame: "Frame | None") -> bool:
+    def _at_a_distance(frame: Frame | None) -> bool:
         return frame is None or frame.session.scene.receiver.at_distance
 
-    def _why_empty(self, frame: "Frame | None") -> str:
+    def _why_empty(self, frame: Frame | None) -> str:
         if not self._at_a_distance(frame):
             return tr(_NO_DISTANCE)
         if frame is not None and self._traced is None:

@@ -4,13 +4,17 @@ Wheel, + and − zoom; dragging and arrows pan; a double click or Home shows eve
 """
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QSinglePointEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
+from ui.document.frame import Frame
 from ui.views.image_canvas import ImageCanvas, Touch
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import Part, Place, SharedView
@@ -20,17 +24,9 @@ from ui.widgets.labels import ElidedLabel
 from ui.widgets.native import available_size
 from ui.words import tr
 from workbench.arrays import Array
+from workbench.files.session import Session
 from workbench.pictures.axes import Extent, pixel_at
 from workbench.powers import written
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
 
 _NARROWEST = 200  # pixels
 _BESIDE = 6  # as narrow, images that fit on a screen
@@ -69,7 +65,7 @@ class ImageView(PlotView):
         self._shared.changed.connect(self._follow)
         self._shared.pointed.connect(self._point)
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._values = None
         super().show_nothing(session)
         self._read()
@@ -103,30 +99,30 @@ class ImageView(PlotView):
         else:
             super().keyPressEvent(event)
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
         before = self._shown
         if before is not None and self._extent(before).bounds != self._extent(session).bounds:
             self._shared.show(part=None)
         self._image = self._new_image(axes, session)
         return list(self._image.artists)
 
-    def _change(self, frame: "Frame") -> bool:
+    def _change(self, frame: Frame) -> bool:
         everything = bool(self._image.update(self._shown_array(frame)))
         self._values = self._image.values
         self._read()
         return everything
 
     @abstractmethod
-    def _extent(self, session: "Session") -> Extent: ...
+    def _extent(self, session: Session) -> Extent: ...
 
     @abstractmethod
-    def _unit(self, session: "Session") -> str: ...
+    def _unit(self, session: Session) -> str: ...
 
     @abstractmethod
-    def _new_image(self, axes: "Axes", session: "Session") -> Any: ...
+    def _new_image(self, axes: Axes, session: Session) -> Any: ...
 
     @abstractmethod
-    def _shown_array(self, frame: "Frame") -> Array | None: ...
+    def _shown_array(self, frame: Frame) -> Array | None: ...
 
     def _new_canvas(self) -> ImageCanvas:
         return ImageCanvas(self)
@@ -191,7 +187,7 @@ class ImageView(PlotView):
         self._stated = text
         self._read()
 
-    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+    def _at_rest(self, session: Session) -> tuple[str, ...]:
         return (self._stated,)
 
     def _follow_mouse(self, event: QSinglePointEvent) -> None:

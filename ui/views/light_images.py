@@ -4,13 +4,16 @@ A click or Enter pins a point; Shift and drag, or the line tool, draws a line. `
 the mouse while regions are marked.
 """
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QToolButton
 
-from ui.document.frame import same_task
+from ui.document.frame import Frame, same_task
 from ui.views.choices import ImageChoice
 from ui.views.image_canvas import Touch
 from ui.views.image_view import ImageView
@@ -21,21 +24,13 @@ from ui.words import capitalised, later, tr
 from workbench.arrays import Array
 from workbench.design.loss import relative_error
 from workbench.extended.bound import percent
+from workbench.files.session import Session
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, suits_contours, target_irradiance
 from workbench.pictures.regions import RegionMarks
+from workbench.scene import Scene
 from workbench.scene.image import side_in_words, viewed_from
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
-    from workbench.scene import Scene
 
 _MARK = "#8a8f98"  # seen on light and dark
 _DRAFT = {"color": "#4aa3df", "linewidth": 1.4, "linestyle": "--"}  # of a region
@@ -63,16 +58,16 @@ class ScreenImageView(ImageView):
         self._choice = ImageChoice(self._shared)
         self._bottom.insertWidget(0, self._choice)
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         super()._draw(*self._of_image(session, frame))
 
-    def _extent(self, session: "Session") -> Extent:
+    def _extent(self, session: Session) -> Extent:
         return Extent.of_receiver(session.scene)
 
-    def _unit(self, session: "Session") -> str:
+    def _unit(self, session: Session) -> str:
         return tr(light_unit(session.scene).words)
 
-    def _number(self, session: "Session") -> int:
+    def _number(self, session: Session) -> int:
         self._choice.show_scene(session.scene)
         return super()._number(session)
 
@@ -88,7 +83,7 @@ class ScreenImageView(ImageView):
         else:
             super().keyPressEvent(event)
 
-    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+    def _at_rest(self, session: Session) -> tuple[str, ...]:
         scene = session.scene
         return capitalised(tr(side_in_words(scene, viewed_from(scene)))), ""
 
@@ -108,14 +103,14 @@ class ScreenImageView(ImageView):
         for tool, icon in self._icons.items():
             tool.setIcon(theme.icon(icon, self.palette()))
 
-    def _looks_alike(self, one: "Session", other: "Session") -> bool:
+    def _looks_alike(self, one: Session, other: Session) -> bool:
         seen = [
             (scene.receiver, scene.unit, scene.regions, light_unit(scene))
             for scene in (one.scene, other.scene)
         ]
         return seen[0] == seen[1] and one.target is other.target  # whatever lens and light are
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
         artists = super()._begin(axes, session)
         look: dict[str, Any] = {"color": _MARK, "linewidth": 0.9, "visible": False}
         left, right, bottom, top = self._extent(session).bounds
@@ -179,7 +174,7 @@ class ScreenImageView(ImageView):
         elif self._draws and self._shared.now.line is not None:
             self._shared.drawn.emit(self._shared.now.line)
 
-    def _marked_scene(self) -> "Scene":
+    def _marked_scene(self) -> Scene:
         assert self._session is not None  # since there is a picture
         return self._session.of_image(self._number(self._session)).scene
 
@@ -203,7 +198,7 @@ class LightImageView(ScreenImageView):
         )
         self._contours.clicked.connect(self._shared.slot("contours"))
 
-    def _new_image(self, axes: "Axes", session: "Session") -> IrradianceImage:
+    def _new_image(self, axes: Axes, session: Session) -> IrradianceImage:
         image = IrradianceImage(axes, session.scene, session.target, self._NAME)
         shown = self._shared.now.contours
         image.outlined = suits_contours(session.scene) if shown is None else shown
@@ -233,10 +228,10 @@ class IrradianceView(LightImageView):
         self._pin.setChecked(self._shared.now.reference is not None)
         return super()._adapt()
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return frame.state.irradiance
 
-    def _change(self, frame: "Frame") -> bool:
+    def _change(self, frame: Frame) -> bool:
         assert self._regions is not None  # since there is a picture
         self._regions.show_light(frame.state.irradiance)
         return super()._change(frame)
@@ -248,20 +243,20 @@ class PinnedView(IrradianceView):
     _NOTHING = later("Nothing is pinned. The pin below the image of light pins it.")
     _WAITING = _NOTHING
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         self._frame = frame
 
     def show_outdated(self, outdated: bool) -> None:
         """Stay as it is: the image is of its own design."""
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         pinned = self._shared.now.reference
         super()._draw(session if pinned is None else pinned.session, pinned)
 
     def _options(self) -> tuple[object, ...]:
         return *super()._options(), self._shared.now.reference
 
-    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+    def _at_rest(self, session: Session) -> tuple[str, ...]:
         pinned = self._shared.now.reference
         if pinned is None:
             return ("",)
@@ -287,7 +282,7 @@ class TargetView(LightImageView):
         self._flux = 0.0  # as drawn
         self.setToolTip(tr(_TIP))
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         before, self._frame = self._frame, frame
         self._untraced = False
         flux = _flux(frame)
@@ -296,19 +291,19 @@ class TargetView(LightImageView):
             self._flux = flux
             self._ask()
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return target_irradiance(frame.session.scene, frame.session.target, _flux(frame))
 
 
-def _flux(frame: "Frame") -> float:
+def _flux(frame: Frame) -> float:
     return frame.session.scene.receiver.total(frame.state.irradiance) or 1.0
 
 
 class ErrorView(ScreenImageView):
     """View of irradiance minus target: red is too much light, blue too little."""
 
-    def _new_image(self, axes: "Axes", session: "Session") -> ErrorImage:
+    def _new_image(self, axes: Axes, session: Session) -> ErrorImage:
         return ErrorImage(axes, session.scene, session.target)
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return frame.state.irradiance

@@ -1,21 +1,17 @@
 """Light account."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
+from ui.document.frame import Frame
 from ui.views.choices import ImageChoice
 from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.words import later, tr
+from workbench.files.session import Session
 from workbench.optics.account import keys_in, words_of
 from workbench.scene import Screen
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
 
 _SUM = later(("All parts", "Sum of all parts; 100 % when the account is complete."))
 
@@ -55,7 +51,7 @@ class LightView(View):
         self._table.deleteLater()
         self._table = table
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         self._choice.show_scene(session.scene)
         session, frame = self._of_image(session, frame)
         scene, account = session.scene, None if frame is None else frame.state.account

@@ -1,29 +1,25 @@
 """Loss of a run as a strip along the window; its curve is the slider to earlier iterations."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
+from matplotlib.figure import Figure
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QFocusEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QToolTip
 
-from ui.document.frame import iterations_before
+from ui.document.frame import Frame, iterations_before
 from ui.views.image_canvas import write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.widgets.controls import STRETCH, filled
 from ui.words import tr
 from workbench.arrays import Array
+from workbench.files.session import Session
 from workbench.pictures.axes import Column, shown_data
 from workbench.pictures.loss import CHECKED, OTHERS, THIS_RUN, LossCourse, Verified, draw_loss
 from workbench.powers import written
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
 
 _HEIGHT, _EDGE, _DOT = 76, 8, 4.0  # pixels: around the curve, of its points
 _LABELS = 9  # characters left of the curve
@@ -215,7 +211,7 @@ class LossStrip(View):
         self.curve.verified = tuple(verified)
         self._ask()
 
-    def show_frames(self, frames: "Sequence[Frame]") -> None:
+    def show_frames(self, frames: Sequence[Frame]) -> None:
         """Offer the recorded frames of a run, and show the last one as chosen."""
         self._frames = frames
         with QSignalBlocker(self.curve):
@@ -233,11 +229,11 @@ class LossStrip(View):
         self._ask()
 
     @property
-    def _chosen(self) -> "Frame":
+    def _chosen(self) -> Frame:
         return self._frames[self.curve.value()]
 
     @property
-    def _latest(self) -> "Frame | None":
+    def _latest(self) -> Frame | None:
         """The frame with all losses of the run, also while an earlier one is shown."""
         return self._frames[-1] if self._frames else self._frame
 
@@ -249,7 +245,7 @@ class LossStrip(View):
         self._button.setVisible(self.curve.value() < len(self._frames) - 1)
         self._ask()
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         curve, latest = self.curve, self._latest
         curve.losses = np.zeros(0)
         if frame is not None and latest is not None and latest.result.losses.size:
@@ -270,7 +266,7 @@ class LossStrip(View):
         )
         curve.update()
 
-    def _figure(self) -> "Figure":
+    def _figure(self) -> Figure:
         """The same as a plot with axes, for files and the clipboard."""
         from matplotlib.figure import Figure  # late: takes long to import
 

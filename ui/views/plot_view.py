@@ -8,7 +8,7 @@
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -18,18 +18,15 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
-from ui.document.frame import same_task
+from ui.document.frame import Frame, same_task
 from ui.views.image_canvas import ImageCanvas, frame_focused, write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
 from ui.widgets.figures import translate, translate_axes
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
+from workbench.files.session import Session
 from workbench.pictures.axes import Column, paint, shown_data
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
 
 _LEFT, _BOTTOM, _RIGHT, _TOP = 84, 40, 18, 12  # pixels, for labels
 _LEAST = 30  # of axes; on smaller ones labels lie over each other
@@ -155,7 +152,7 @@ class PlotView(View):
         axes = self._canvas.figure.axes
         return not axes or not axes[0].get_visible()
 
-    def offer(self, actions: "Sequence[QAction]") -> None:
+    def offer(self, actions: Sequence[QAction]) -> None:
         self._canvas.addActions(actions)
 
     def write(self, file: BinaryIO, format: str) -> None:
@@ -168,11 +165,11 @@ class PlotView(View):
         """Figures of the plot, for JSON, if ".json" is among its endings."""
         return {}
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         self._untraced = False
         super().show_frame(frame)
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._untraced = True
         super().show_nothing(session)
 
@@ -184,7 +181,7 @@ class PlotView(View):
             self._ask()
         return super().eventFilter(watched, event)
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         anew = frame is None or self._anew
         if anew or self._shown is None or not self._looks_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
@@ -221,7 +218,7 @@ class PlotView(View):
     def _recolour(self) -> None:
         self._canvas.recolour()
 
-    def _why_empty(self, frame: "Frame | None") -> str:
+    def _why_empty(self, frame: Frame | None) -> str:
         if frame is not None:
             return ""
         return tr(self._NOTHING if self._untraced else self._WAITING)
@@ -229,14 +226,14 @@ class PlotView(View):
     def _why_small(self) -> str:
         return "" if self._has_space else tr(self._TOO_SMALL)
 
-    def _looks_alike(self, one: "Session", other: "Session") -> bool:
+    def _looks_alike(self, one: Session, other: Session) -> bool:
         return same_task(one, other)
 
     @abstractmethod
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]": ...
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]: ...
 
     def _adapt(self) -> bool:
         return False
 
     @abstractmethod
-    def _change(self, frame: "Frame") -> bool: ...
+    def _change(self, frame: Frame) -> bool: ...

@@ -4,18 +4,15 @@ Coordinates are fractions of the receiver's width and height, from its centre.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ui.views.shared_view import Place, SharedView
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.scene import PolygonRegion, RectangleRegion
+from workbench.scene import AnyReceiver, PolygonRegion, RectangleRegion, Scene
 from workbench.scene.image import AnyRegion
-
-if TYPE_CHECKING:
-    from workbench.scene import AnyReceiver, Scene
 
 _DIGITS = 4  # of places; less than a pixel of any receiver
 _LEAST = 1e-3  # width of a region
@@ -139,7 +136,7 @@ class RegionTool:
         self._drawn: AnyRegion | None = None
         self._corners: list[Place] = []
 
-    def press(self, scene: "Scene", place: Place, margin: Place) -> None:
+    def press(self, scene: Scene, place: Place, margin: Place) -> None:
         """Begin at a point of the receiver; edges are grabbed within a margin."""
         self._scene, self._start, self._drawn = scene, self._parts(scene.receiver, place), None
         near = np.divide(margin, np.multiply(scene.receiver.half_extent, 2))
@@ -206,7 +203,7 @@ class RegionTool:
         self._corners, self._drawn, self._scene = [], None, None
         self._shared.show(draft=())
 
-    def _show(self, outline: "list[Place]") -> None:
+    def _show(self, outline: list[Place]) -> None:
         assert self._scene is not None
         receiver = self._scene.receiver
         closed = [*outline, outline[0]] if len(outline) > 2 else outline
@@ -214,6 +211,6 @@ class RegionTool:
         self._shared.show(draft=tuple((float(x), float(y)) for x, y in places))
 
     @staticmethod
-    def _parts(receiver: "AnyReceiver", place: Place) -> Place:
+    def _parts(receiver: AnyReceiver, place: Place) -> Place:
         x, y = np.subtract(place, receiver.middle) / np.multiply(receiver.half_extent, 2)
         return float(x), float(y)

@@ -9,24 +9,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from ui.document.frame import some_rays
+from ui.document.frame import Frame, some_rays
 from ui.views.shared_view import ViewOptions
 from ui.views.tools import Tool
 from ui.words import later, tr
 from workbench.analysis.manufacture import exceeding_points
 from workbench.arrays import Array, Mask
-from workbench.geometry.faces import NO_LOCKS, ControlPoint
+from workbench.files.session import Session
+from workbench.geometry.faces import NO_LOCKS, ControlHeights, ControlPoint, Locks
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.actors import PointMarkers, Rule
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.handles import Handles
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
-    from workbench.scene import Scene
 
 
 class FaceNets(QObject):
@@ -113,7 +111,7 @@ class FaceNets(QObject):
             self._locks[self._face] = locked
         self.changed.emit()
 
-    def show_locks(self, locks: "Locks") -> None:
+    def show_locks(self, locks: Locks) -> None:
         if locks is not self._locks_of_design:
             self._locks_of_design, self._locks = locks, dict(locks)
             self.changed.emit()
@@ -123,7 +121,7 @@ class FaceNets(QObject):
             self._marked = point
             self.changed.emit()
 
-    def begin(self, plotter: Any, scene: "Scene", *, dark: bool) -> None:
+    def begin(self, plotter: Any, scene: Scene, *, dark: bool) -> None:
         # Late: these take seconds to load.
         from workbench.geometry.surface import freeform_nets
         from workbench.pictures.control_net import ControlNetPicture
@@ -138,7 +136,7 @@ class FaceNets(QObject):
         if self._face not in self._pictures:
             self._face, self._brush = scene.optic.designed_face, None
 
-    def draw(self, heights: "ControlHeights", shown: bool) -> None:
+    def draw(self, heights: ControlHeights, shown: bool) -> None:
         self._pickable = shown or self._marked is not None
         for face, net in self._pictures.items():
             here = face == self._face
@@ -186,7 +184,7 @@ class SceneContents:
         self._marked: tuple[ControlHeights, Array] | None = None
 
     def begin(
-        self, plotter: Any, session: "Session", options: ViewOptions, *, dark: bool
+        self, plotter: Any, session: Session, options: ViewOptions, *, dark: bool
     ) -> "LensPicture":
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers, Rule
@@ -214,11 +212,11 @@ class SceneContents:
         self.sight = Projection(plotter)
         return self.picture
 
-    def mark(self, heights: "ControlHeights", places: Array) -> None:
+    def mark(self, heights: ControlHeights, places: Array) -> None:
         """Mark points (n, 3) of a lens with these heights, while it is shown."""
         self._marked = heights, places
 
-    def draw(self, frame: "Frame", options: ViewOptions, tool: Tool | None) -> None:
+    def draw(self, frame: Frame, options: ViewOptions, tool: Tool | None) -> None:
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
         picture.set_colours(options.colours)

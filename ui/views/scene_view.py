@@ -39,7 +39,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
 
-from ui.document.frame import same_task
+from ui.document.frame import Frame, same_task
 from ui.views.image_canvas import RING, frame_focused
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
@@ -50,16 +50,15 @@ from ui.widgets.native import make_native
 from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.design.limits import bounded
+from workbench.files.session import Session
+from workbench.geometry.faces import ControlHeights
+from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
-    from workbench.geometry.faces import ControlHeights
     from workbench.pictures.camera import CameraState
     from workbench.pictures.compass import Compass
     from workbench.pictures.handles import Handles, SeenPart
     from workbench.pictures.projection import Projection
-    from workbench.scene import Element, Scene
 
 _STOPS = QEvent.Type.MouseButtonPress, QEvent.Type.Wheel
 _NOTCH = 1.2  # times as large, by a notch of the wheel
@@ -110,11 +109,11 @@ class SceneView(View):
         self._box.setContentsMargins(*4 * [RING])
 
     @property
-    def frame(self) -> "Frame | None":
+    def frame(self) -> Frame | None:
         return self._frame
 
     @property
-    def optic(self) -> "Element | None":
+    def optic(self) -> Element | None:
         """The element of the selected face, with its bounds."""
         if self._shown is None:
             return None
@@ -173,12 +172,12 @@ class SceneView(View):
         """Draw what a tool has changed, its hint included."""
         self._ask()
 
-    def show_design(self, session: "Session") -> None:
+    def show_design(self, session: Session) -> None:
         """Take note of another scene, target or set of locks."""
         super().show_design(session)
         self.nets.show_locks(session.locked)
 
-    def hold_camera(self, scene: "Scene") -> None:
+    def hold_camera(self, scene: Scene) -> None:
         """Keep the camera when this scene arrives."""
         self._held = self._space(scene)
 
@@ -198,7 +197,7 @@ class SceneView(View):
         self._placement = placement
         self._ask()
 
-    def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
+    def picture(self, times: int) -> npt.NDArray[np.uint8] | None:
         """Return the magnified picture, shape (rows, columns, 3); None before drawing.
 
         It is without the compass.
@@ -212,7 +211,7 @@ class SceneView(View):
         self._plotter.update()
         return np.ascontiguousarray(pixels[..., :3])
 
-    def show_spots(self, heights: "ControlHeights", places: Array) -> None:
+    def show_spots(self, heights: ControlHeights, places: Array) -> None:
         """Mark points (n, 3) of a lens with these heights while it is shown."""
         self._contents.mark(heights, places)
         self._ask()
@@ -335,7 +334,7 @@ class SceneView(View):
             self._contents.picture.colour_rays(self._options.by_weight)
         self._ask()
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         if self._closed:
             return
         if self._plotter is None:
@@ -350,7 +349,7 @@ class SceneView(View):
             self._contents.draw(frame, self._options, self._tool)
         self._plotter.repaint()
 
-    def _place_camera(self, session: "Session") -> None:
+    def _place_camera(self, session: Session) -> None:
         latest = self._session is None or same_task(session, self._session)
         picture = self._contents.picture
         if self._placement is not None and picture is not None and latest:
@@ -376,7 +375,7 @@ class SceneView(View):
     def _show_cursor(self) -> None:
         self._plotter.setCursor(self._tool.cursor if self._tool else Qt.CursorShape.ArrowCursor)
 
-    def _begin(self, session: "Session") -> None:
+    def _begin(self, session: Session) -> None:
         self._land()
         space, former = self._space(session.scene), self._contents.picture
         least = 0.0 if former is None or former.fitted else _FAR
@@ -386,12 +385,12 @@ class SceneView(View):
             self._held = space
             picture.fit()
 
-    def _space(self, scene: "Scene") -> Array:
+    def _space(self, scene: Scene) -> Array:
         from workbench.pictures.camera import scene_corners
 
         return scene_corners(self._drawn(scene))
 
-    def _drawn(self, scene: "Scene") -> "Scene":
+    def _drawn(self, scene: Scene) -> Scene:
         from workbench.pictures.compressed import compress_distances
 
         return compress_distances(scene) if self._options.exploded else scene

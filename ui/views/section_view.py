@@ -4,29 +4,24 @@ Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl only 
 """
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 
+from ui.document.frame import Frame
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import Line, Place, SharedView
 from ui.views.tools import ARROWS
 from ui.widgets.controls import MenuButton, choose, chosen_of
 from ui.words import later, tr
+from workbench.files.session import Session
 from workbench.pictures.axes import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
-    from workbench.scene import AnyReceiver, Scene
+from workbench.scene import AnyReceiver, Scene
 
 _DIRECTIONS = ("x", "y", "line")
 _TIP = later(
@@ -122,10 +117,10 @@ class SectionView(PlotView):
         choose(self._direction, _DIRECTIONS.index("line"))
         self._turn()
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+    def _draw(self, session: Session, frame: Frame | None) -> None:
         super()._draw(*self._of_image(session, frame))
 
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
         receiver = session.scene.receiver
         left, right, bottom, top = receiver.bounds
 
@@ -140,10 +135,10 @@ class SectionView(PlotView):
         self._curves = SectionCurves(axes, session.scene, session.target)
         return self._curves.artists
 
-    def _change(self, frame: "Frame") -> bool:
+    def _change(self, frame: Frame) -> bool:
         return self._curves.update(frame.state.irradiance, self._cut(frame.session.scene))
 
-    def _cut(self, scene: "Scene") -> Cut:
+    def _cut(self, scene: Scene) -> Cut:
         if self._along == "line":
             assert self._line is not None  # since the picture began
             extent = Extent.of_receiver(scene)
@@ -158,7 +153,7 @@ class SectionView(PlotView):
         return cut_through(scene, self._along, self._place)
 
 
-def _moved(receiver: "AnyReceiver", pixels: "Sequence[int]", *places: Place) -> list[Place]:
+def _moved(receiver: AnyReceiver, pixels: Sequence[int], *places: Place) -> list[Place]:
     at, (low, high) = np.array(places), np.reshape(receiver.bounds, (2, 2)).T
     by = (high - low) / receiver.pixels * pixels
     by = by.clip(low - at.min(axis=0), high - at.max(axis=0))

@@ -3,17 +3,15 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from ui.document.frame import Frame
 from workbench.analysis.shop_limits import Limits
 from workbench.geometry.faces import ControlPoint
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from workbench.pictures.surface import FaceColours
-    from workbench.scene import Scene
+from workbench.pictures.surface import FaceColours
+from workbench.scene import Scene
 
 Part = tuple[float, float, float, float]
 Place = tuple[float, float]
@@ -32,13 +30,13 @@ class ViewOptions:
     draft: tuple[Place, ...] = ()  # outline of the region that is being drawn
     logarithmic: bool = False
     contours: bool | None = None  # lines of equal light; None where they help
-    reference: "Frame | None" = None  # whose light is pinned, of this or another design
+    reference: Frame | None = None  # whose light is pinned, of this or another design
 
     rays: int = 15  # along each axis: a divisor of `ui.document.frame.RAYS`, or 0
     exploded: bool = False
     perspective: bool = False
     by_weight: bool = False
-    faces: "FaceColours" = "material"
+    faces: FaceColours = "material"
     exaggerated: bool = False
     limits: Limits = field(default_factory=Limits)
 
@@ -85,7 +83,7 @@ class SharedView(QObject):
             self.mark_regions(False)
         self.show(drawing=on)
 
-    def pin_image(self, frame: "Frame | None") -> None:
+    def pin_image(self, frame: Frame | None) -> None:
         """Pin the light of a frame until another is pinned; None removes it."""
         self.show(reference=frame)
         self.image_pinned.emit(frame is not None)
@@ -94,6 +92,6 @@ class SharedView(QObject):
         """Let dragging and clicking mark regions, or not."""
         self.show(marking=on, draft=(), drawing=self.now.drawing and not on)
 
-    def number_in(self, scene: "Scene") -> int:
+    def number_in(self, scene: Scene) -> int:
         """Return the index of the shown image; the last one of a scene with fewer."""
         return min(self.now.number, len(scene.images) - 1)

@@ -1,24 +1,20 @@
 """Maps of a freeform face."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, BinaryIO
+from typing import BinaryIO
 
+from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 
+from ui.document.frame import Frame
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.widgets.controls import Chooser
 from ui.words import capitalised, tr
 from workbench.arrays import Array
+from workbench.files.session import Session
 from workbench.pictures.axes import Column, Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from ui.document.frame import Frame
-    from workbench.files.session import Session
-
 
 _FONT = 9  # of the name of a face in files
 
@@ -48,7 +44,7 @@ class FaceMapView(ImageView):
         self.chooser.setToolTip(self.chooser.currentData(Qt.ItemDataRole.ToolTipRole))
         self._begin_anew()
 
-    def _extent(self, session: "Session") -> Extent:
+    def _extent(self, session: Session) -> Extent:
         optic = session.scene.focused_on(self.faces.face).optic
         return Extent.around(optic.half_width, session.scene.unit)
 
@@ -74,12 +70,12 @@ class SurfaceView(FaceMapView):
             columns[-1] = columns[-1]._replace(name=f"{face}: {columns[-1].name}")
         return columns
 
-    def _unit(self, session: "Session") -> str:
+    def _unit(self, session: Session) -> str:
         return ASPECTS[self.quantity].unit.format(session.scene.unit).removeprefix("1 ")
 
-    def _new_image(self, axes: "Axes", session: "Session") -> SurfaceImage:
+    def _new_image(self, axes: Axes, session: Session) -> SurfaceImage:
         self.faces.show_scene(session.scene)
         return SurfaceImage(axes, session.scene, ASPECTS[self.quantity], self.faces.face)
 
-    def _shown_array(self, frame: "Frame") -> Array:
+    def _shown_array(self, frame: Frame) -> Array:
         return frame.state.heights[self.faces.face]

@@ -19,10 +19,10 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from workbench.arrays import Array
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from workbench.pictures.camera import FittedCamera
-    from workbench.scene import Scene
 
 _Key = Qt.Key
 
@@ -57,7 +57,7 @@ class Tool(QObject):
     cursor = Qt.CursorShape.ArrowCursor
     shows_net = False
     shows_handles = False
-    dragged: "Scene | None" = None  # to which a drag has come, before it is traced
+    dragged: Scene | None = None  # to which a drag has come, before it is traced
     keys: Set[int] = frozenset()
 
     @property

@@ -7,24 +7,20 @@ drag nothing rests.
 
 from collections import OrderedDict
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.background import Background
-from ui.document.frame import shows
+from ui.document.document import Document
+from ui.document.frame import Frame, shows
+from ui.document.shown_lens import ShownLens
 from ui.views.shared_view import SharedView
 from ui.widgets import theme
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
-
-if TYPE_CHECKING:
-    from ui.document.document import Document
-    from ui.document.frame import Frame
-    from ui.document.shown_lens import ShownLens
-    from workbench.files.session import Session
+from workbench.files.session import Session
 
 _REST = 2.0  # seconds of rest for each second of drawing
 _REST_MS = 250  # before a computation; longer than between two frames or two steps of a hand
@@ -104,7 +100,7 @@ class View(QWidget):
     def add_below(self, widget: QWidget) -> None:
         self._box.addWidget(widget)
 
-    def follow(self, document: "Document", shown: "ShownLens") -> None:
+    def follow(self, document: Document, shown: ShownLens) -> None:
         """Show the design of a document, and all frames of its lens."""
         self.show_design(document.session)
         document.session_changed.connect(self.show_design)
@@ -120,16 +116,16 @@ class View(QWidget):
         for background in self.findChildren(Background):
             background.close()
 
-    def show_design(self, session: "Session") -> None:
+    def show_design(self, session: Session) -> None:
         self._session = session
         if self._frame is None:
             self._ask()
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         self._frame = frame
         self._ask()
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._session, self._frame = session, None
         self._show_veil()
         self._ask()
@@ -175,16 +171,14 @@ class View(QWidget):
     def _is_behind(self) -> bool:
         return False
 
-    def _number(self, session: "Session") -> int:
+    def _number(self, session: Session) -> int:
         return self._shared.number_in(session.scene)
 
-    def _of_image(
-        self, session: "Session", frame: "Frame | None"
-    ) -> "tuple[Session, Frame | None]":
+    def _of_image(self, session: Session, frame: Frame | None) -> tuple[Session, Frame | None]:
         number = self._number(session)
         return session.of_image(number), frame and frame.of_image(number)
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None: ...
+    def _draw(self, session: Session, frame: Frame | None) -> None: ...
 
     def _recolour(self) -> None: ...
 
@@ -202,17 +196,17 @@ class ComputingView(View):
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
 
-    def show_design(self, session: "Session") -> None:
+    def show_design(self, session: Session) -> None:
         super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
             self._want_nothing()
 
-    def show_frame(self, frame: "Frame") -> None:
+    def show_frame(self, frame: Frame) -> None:
         super().show_frame(frame)
         self._show_veil()
         self._want()
 
-    def show_nothing(self, session: "Session") -> None:
+    def show_nothing(self, session: Session) -> None:
         self._want_nothing()
         super().show_nothing(session)
 

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
+from ui.document.document import Document
+from ui.document.shown_lens import FrameHistory, ShownLens
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
 from ui.views.light_images import ErrorView, IrradianceView, PinnedView, TargetView
@@ -19,10 +20,6 @@ from ui.views.section_view import SectionView
 from ui.views.shared_view import SharedView
 from ui.views.surface_view import SurfaceView
 from ui.views.view import ComputingView, View
-
-if TYPE_CHECKING:
-    from ui.document.document import Document
-    from ui.document.shown_lens import FrameHistory, ShownLens
 
 
 class Views(QObject):
@@ -48,7 +45,7 @@ class Views(QObject):
             **others,
         }
 
-    def follow(self, document: "Document", shown: "ShownLens", history: "FrameHistory") -> None:
+    def follow(self, document: Document, shown: ShownLens, history: FrameHistory) -> None:
         for view in (self.scene, *self.around.values()):
             view.follow(document, shown)
         history.changed.connect(lambda: self.loss.show_frames(history.frames))

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QObject, QPersistentModelIndex, QSettings, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QUndoStack
@@ -31,10 +30,7 @@ from ui.widgets.shelf import Shelf, open_folder
 from ui.window.edit_notices import RefusedFields
 from ui.window.image_panel import ImagePanel
 from ui.words import capitalised, later, tr
-
-if TYPE_CHECKING:
-    from workbench.files.session import Session
-
+from workbench.files.session import Session
 
 _STRIP = next(name for name, pane in PANES.items() if pane.strip)
 # Of the height of the window, for a dock that is asked for.
@@ -97,7 +93,7 @@ class Panes:
         self.images.put({name: views[name] for name in self.images.names})
         self.strip.put(views[_STRIP])
 
-    def name_light(self, session: "Session") -> None:
+    def name_light(self, session: Session) -> None:
         self.images.rename("irradiance", tr(session.scene.receiver.density.capitalize()))
 
     def place(self, name: str) -> QWidget:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.forms import Forms
+from ui.run.control import RunControl
 from ui.widgets.messages import Messages, Offer
 from ui.words import capitalised, error_text, later, tr
 from workbench.design.task import changed_on_disk, why_not_kept
@@ -22,9 +23,6 @@ from workbench.scene import AutoNet, Scene
 from workbench.scene.faces import LARGEST_NET
 from workbench.scene.paths import value_at
 from workbench.units import ratio
-
-if TYPE_CHECKING:
-    from ui.run.control import RunControl
 
 _NO_LENS = later(
     "The {optic} does not fit the new outline. Start designs another one; Undo restores it."
@@ -97,7 +95,7 @@ class PostponedEdits(QObject):
     """Reports which edits wait for the end of a run, and offers to stop it."""
 
     def __init__(
-        self, forms: Forms, control: "RunControl", messages: Messages, parent: QObject
+        self, forms: Forms, control: RunControl, messages: Messages, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._forms, self._control, self._messages, self._text = forms, control, messages, ""

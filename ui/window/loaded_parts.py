@@ -1,13 +1,13 @@
 """Runner, views and all that needs the slow libraries; importing this takes seconds."""
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPoint, QSettings, QTimer, Signal
 from PySide6.QtGui import QAction
 
 from ui.commands.actions import keep_colours
 from ui.dialogs.preferences import CHECK
+from ui.document.frame import Frame
 from ui.document.shown_lens import ShownLens
 from ui.files.plots import Plots, ScenePictures, Videos
 from ui.lens.tools import LensTools
@@ -23,14 +23,10 @@ from ui.run.log import RunLog
 from ui.run.runs import Runs
 from ui.views.view import View
 from ui.views.views import Views
+from ui.window.docks import EarlyParts
 from ui.window.edit_notices import PostponedEdits
 from ui.words import tr
-
-if TYPE_CHECKING:
-    from ui.document.frame import Frame
-    from ui.window.docks import EarlyParts
-    from workbench.scene.image import Region
-
+from workbench.scene.image import Region
 
 FOLLOW = "run/follow"
 """Setting of live update, which is on by default."""
@@ -41,7 +37,7 @@ class LoadedParts(QObject):
 
     state_changed = Signal()
 
-    def __init__(self, early: "EarlyParts", settings: QSettings, parent: QObject) -> None:
+    def __init__(self, early: EarlyParts, settings: QSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._early = early
         document, there, messages = early.document, early.panes, early.messages
@@ -208,7 +204,7 @@ class LoadedParts(QObject):
     def _follow_marking(self) -> None:
         self._early.commands["mark_region"].setChecked(self.views.shared.now.marking)
 
-    def _edit_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
+    def _edit_regions(self, regions: tuple[Region, ...], text: str) -> None:
         if self.control.busy:
             self._early.messages.note(tr("Stop the run first, then mark regions."))
             return
@@ -234,12 +230,12 @@ class LoadedParts(QObject):
         path = next(iter(changes))
         self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
 
-    def _rewind(self, frame: "Frame") -> None:
+    def _rewind(self, frame: Frame) -> None:
         self.shown.frame_changed.emit(frame)
         if frame is self.control.history.frames[-1]:
             self.control.preview()  # which tells why the run ended
 
-    def _show_frame(self, frame: "Frame") -> None:
+    def _show_frame(self, frame: Frame) -> None:
         self._early.status.show_frame(frame, self.control.busy)
 
     def _reword_check(self, under_way: bool) -> None:

@@ -10,10 +10,10 @@ from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
 from ui.words import capitalised, later, tr
 from workbench.design.snapshot import STOPPED, has_converged
+from workbench.scene import Element
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
-    from workbench.scene import Element
 
 _USES_LENS = ("export", "cut", "plan", "photograph", "inspect", "report")
 
@@ -38,7 +38,7 @@ _RUN_FIRST = later("Not possible during a run. Stop it first")
 class Situation:
     """Conditions that decide which commands are available."""
 
-    optic: "Element"
+    optic: Element
     state: str
     has_lens: bool
     lens: str

@@ -13,10 +13,10 @@ from ui.commands.panes import WORKSPACES, Tabs, Workspace
 from ui.widgets.native import available_size
 from ui.window.docks import Dock, Panes
 from ui.words import tr
+from workbench.files.session import Session
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
-    from workbench.files.session import Session
 
 CUSTOM = "custom"
 """The workspace whose docks have title bars, to be arranged by hand."""
@@ -98,7 +98,7 @@ class Workspaces(QObject):
             QTimer.singleShot(0, self, self._give_way)
         return False
 
-    def follow(self, session: "Session") -> None:
+    def follow(self, session: Session) -> None:
         """Arrange the panes anew where an image of another shape needs another place."""
         across, up = session.scene.receiver.half_extent
         before, self._aspect = self._wide, across / up
