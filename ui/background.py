@@ -132,6 +132,7 @@ class Background(QObject):
         self._next: Task | None = None
         self._task: Task | None = None  # in the thread
         self._thread: _Thread | None = None
+        self._closed = False
         self._reported.connect(self._pass_on)
         self._ended.connect(self._end)
 
@@ -150,7 +151,9 @@ class Background(QObject):
         return self._task is not None and self._task.wanted and self._task.stopped
 
     def begin(self, work: Work, request: object = None, title: str = "") -> None:
-        """Execute work with its `Task`, now or when the thread is free."""
+        """Execute work with its `Task`, now or when the thread is free; none once closed."""
+        if self._closed:
+            return
         if not self._finish_first:
             self.cancel()
         self._next = Task(work, request, self._reported.emit, title)
@@ -175,6 +178,8 @@ class Background(QObject):
             self._end(self._task)
 
     def close(self) -> None:
+        """Cancel all work and wait for the thread; safe to call twice."""
+        self._closed = True
         self.cancel()
         self._join()
 
@@ -227,6 +232,12 @@ class Background(QObject):
         LOG.error(details(error))
         work = tr(self._name)
         return tr("The {work} failed: {error}").format(work=work, error=unexpected(error))
+
+
+def close_threads(owner: QObject) -> None:
+    """Close the work of an object and of all its children."""
+    for background in owner.findChildren(Background):
+        background.close()
 
 
 class GarbageCollector(QTimer):

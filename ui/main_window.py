@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMainWindow
 
 from resources import Example
+from ui.background import close_threads
 from ui.commands.panes import PaneFocus
 from ui.commands.table import WORKSPACE_CHOICES
 from ui.dialogs.help import TITLE, Help
@@ -81,16 +82,13 @@ class MainWindow(QMainWindow):
         self._recent = recent = RecentFiles(settings)
         self._lens = CurrentLens(document, self)
         self.dialogs = dialogs = early.dialogs
-        self._chosen = ChosenFiles(self.forms, dialogs, self.messages, self)
-        lens, messages = self._lens, self.messages
-        self.files = FileActions(document, lens, recent, messages, dialogs, self)
+        self._chosen = ChosenFiles(self.forms, dialogs)
+        self.files = FileActions(self._lens, recent, dialogs)
         self.files.offer = self._chosen.offer
-        self.exporter = Exporter(document, lens, messages, dialogs, self)
+        self.exporter = Exporter(self._lens, dialogs)
         self.exporter.ask_options = AskOptions(self, settings)
-        self.reporter = Reporter(document, lens, messages, dialogs, self)
-        self.measured = Measured(lens, messages, dialogs, settings, self)
-        writers = self.exporter, self.reporter, self.measured
-        early.shelf.follow(*(each.background for each in writers))
+        self.reporter = Reporter(self._lens, dialogs)
+        self.measured = Measured(self._lens, dialogs, settings)
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = StartPage(self.files, recent, self._new, dialogs, settings)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
@@ -107,6 +105,7 @@ class MainWindow(QMainWindow):
         self._state = WindowState(early, self._lens)
         self._add_menus()
         self._connect()
+        early.shelf.follow(self)
         self._show_title()
         self._show_recent()
         self._show_state()
@@ -128,6 +127,7 @@ class MainWindow(QMainWindow):
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._show_following)
         self._view_state.attach(loaded.views.scene)
+        self.early.shelf.follow(self)
         self._show_state()
         self.built.emit()
 
@@ -149,20 +149,14 @@ class MainWindow(QMainWindow):
         if not self._leaving and not self._may_close():
             event.ignore()
             return
-        self.start_page.job.close_thread()
         self.workspaces.keep()
         self.hide()  # threads are waited for, which can take as long as a kernel is compiled
         for dock in self.panes.docks.values():
             dock.hide()  # one that floats does not go with the window
-        self.exporter.close()
-        self.reporter.close()
-        self.measured.close()
-        if self.sweep is not None:
-            self.sweep.close_thread()
-            self.sweep.close()
         if self.loaded is not None:
             self.loaded.close()
             self.loaded = self._state.loaded = None  # nothing can be started any more
+        close_threads(self)
         super().closeEvent(event)
         self.closed.emit()
 
@@ -347,7 +341,7 @@ class MainWindow(QMainWindow):
 
             self.sweep = SweepDialog(self.document, self)
             self.sweep.open_asked.connect(self._open)
-            self.early.shelf.follow(self.sweep.background)
+            self.early.shelf.follow(self.sweep)
         self.sweep.show_design()
 
     def _plan(self) -> None:

@@ -105,9 +105,6 @@ class JobPage(QWidget):
         else:
             self._show_obstacle()
 
-    def close_thread(self) -> None:
-        self._background.close()
-
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self._begins = False

@@ -14,7 +14,6 @@ from ui.files.dialogs import FileDialogs
 from ui.manufacture.option_fields import OptionDialog, keep_options, kept_options
 from ui.panels.images import image_files
 from ui.run.control import NO_LENS, CurrentLens
-from ui.widgets.messages import Messages
 from ui.words import later, tr
 from workbench.analysis.inspection.options import InspectionOptions
 from workbench.analysis.making.photograph_options import PhotographOptions
@@ -43,23 +42,13 @@ class Comparison(NamedTuple):
 class Measured(QObject):
     """Asks for photographs and measurements, compares them, and shows the results."""
 
-    def __init__(
-        self,
-        lens: CurrentLens,
-        messages: Messages,
-        dialogs: FileDialogs,
-        settings: QSettings,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._lens, self._messages, self._dialogs = lens, messages, dialogs
+    def __init__(self, lens: CurrentLens, dialogs: FileDialogs, settings: QSettings) -> None:
+        super().__init__(dialogs)
+        self._lens, self._messages, self._dialogs = lens, dialogs.messages, dialogs
         self._settings = settings
         self.background = Background(later("comparison"), self, finish_first=True)
         self.background.done.connect(self._show)
-        self.background.failed.connect(messages.warn)
-
-    def close(self) -> None:
-        self.background.close()
+        self.background.failed.connect(self._messages.warn)
 
     def choose_photograph(self) -> None:
         """Ask for a photograph and the corners of the receiver in it, and compare."""

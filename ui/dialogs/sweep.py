@@ -165,10 +165,6 @@ class SweepDialog(QDialog):
         self.background.begin(partial(work_on, sweep), sweep, tr("Sweep"))
         self._offer()
 
-    def close_thread(self) -> None:
-        """Stop the sweep and wait for its thread; safe to call twice."""
-        self.background.close()
-
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
         self.folder.setPlaceholderText(tr("Chosen at the start"))

@@ -10,11 +10,11 @@ from PySide6.QtCore import QLocale, QObject, QSettings, Signal
 from PySide6.QtWidgets import QMenu, QMessageBox, QWidget
 
 from resources import Example
-from ui.document.document import ENDING, Document, OnDisk
+from ui.document.document import ENDING, OnDisk
 from ui.files.dialogs import FileDialogs
 from ui.files.recovery import LeftBehind
 from ui.run.control import CurrentLens
-from ui.widgets.messages import Messages, question
+from ui.widgets.messages import question
 from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
@@ -118,22 +118,10 @@ class FileActions(QObject):
     saved = Signal(str)
     recent_changed = Signal()
 
-    def __init__(
-        self,
-        document: Document,
-        lens: CurrentLens,
-        recent: RecentFiles,
-        messages: Messages,
-        dialogs: FileDialogs,
-        window: QWidget,
-    ) -> None:
-        super().__init__(window)
-        self._document = document
-        self._lens = lens
-        self._recent = recent
-        self._messages = messages
-        self._dialogs = dialogs
-        self._window = window
+    def __init__(self, lens: CurrentLens, recent: RecentFiles, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
+        self._lens, self._recent = lens, recent
+        self._dialogs, self._document, self._messages = dialogs, dialogs.document, dialogs.messages
         self.find_other: Callable[[Path], QWidget | None] = lambda path: None
         self.offer: Callable[[Path], bool] = lambda path: False
         self.view_data: Callable[[], dict[str, Any] | None] = lambda: None
@@ -241,7 +229,7 @@ class FileActions(QObject):
     def ask(self, question: str) -> Answer:
         buttons = Answer.SAVE.value | Answer.DISCARD.value | Answer.CANCEL.value
         given = QMessageBox.question(
-            self._window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
+            self._dialogs.window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
         )
         return Answer(given)
 
@@ -256,7 +244,7 @@ class FileActions(QObject):
         try:
             found = self._document.on_disk(path)
             if found is not OnDisk.KNOWN:
-                choice = ask_about_changed_file(path, found, self._window)
+                choice = ask_about_changed_file(path, found, self._dialogs.window)
                 if choice is not ChangedFileChoice.OVERWRITE:
                     return self._save_otherwise(choice)
             self._document.save(path, self.view_data(), making)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QBuffer, QIODevice, QObject, QSettings, QStandardPath
 from PySide6.QtGui import QGuiApplication, QImage, QImageWriter
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from ui.background import Background
 from ui.document.document import ENDING, Document
 from ui.panels.forms import Forms
 from ui.panels.images import image_files, is_image_file
@@ -22,15 +23,18 @@ _KEY = "folders"
 
 
 class FileDialogs(QObject):
-    """Asks for files.
+    """Asks for files of a document; messages report what became of them.
 
     A dialog starts in the folder used last for its kind of file, the folder of the design, or the
     folder that any window used last.
     """
 
-    def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, messages: Messages, settings: QSettings, window: QWidget
+    ) -> None:
         super().__init__(window)
-        self._document, self._settings, self.window = document, settings, window
+        self.document, self.messages, self.window = document, messages, window
+        self._settings = settings
         self.chosen = ""
         self._used: dict[str, Path] = {}
         self._own = document.folder
@@ -78,9 +82,29 @@ class FileDialogs(QObject):
         return path
 
     def _follow(self) -> None:
-        if self._document.folder != self._own:
-            self._own = self._document.folder
+        if self.document.folder != self._own:
+            self._own = self.document.folder
             self._used.clear()
+
+
+class FileWriter(QObject):
+    """Writes files in a thread, one at a time."""
+
+    _WORK = ""  # name of the work, in English
+
+    def __init__(self, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
+        self._dialogs, self._document, self._messages = dialogs, dialogs.document, dialogs.messages
+        self.background = Background(self._WORK, self)
+        self.background.failed.connect(self._messages.warn)
+
+
+def png_bytes(image: QImage) -> bytes:
+    """Return an image as the content of a PNG file."""
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    QImageWriter(buffer, b"png").write(image)
+    return bytes(buffer.data().data())
 
 
 def pasted_picture(folder: Path) -> Path | None:
@@ -90,14 +114,9 @@ def pasted_picture(folder: Path) -> Path | None:
     if files:
         return files[0]
     image = QGuiApplication.clipboard().image()
-    return None if image.isNull() else _written(image, folder)
-
-
-def _written(image: QImage, folder: Path) -> Path:
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    QImageWriter(buffer, b"png").write(image)
-    content = bytes(buffer.data().data())
+    if image.isNull():
+        return None
+    content = png_bytes(image)
     path = folder / f"pasted-{hashlib.sha256(content).hexdigest()[:12]}.png"
     folder.mkdir(parents=True, exist_ok=True)
     with replacing(path) as file:
@@ -108,11 +127,9 @@ def _written(image: QImage, folder: Path) -> Path:
 class ChosenFiles(QObject):
     """Files that a person chooses, drops or pastes for target and source."""
 
-    def __init__(
-        self, forms: Forms, dialogs: FileDialogs, messages: Messages, parent: QObject
-    ) -> None:
-        super().__init__(parent)
-        self._forms, self._dialogs, self._messages = forms, dialogs, messages
+    def __init__(self, forms: Forms, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
+        self._forms, self._dialogs, self._messages = forms, dialogs, dialogs.messages
         self.use_picture: Callable[[Path], object] = forms.choose_image
         self.use_light: Callable[[Path], object] = forms.choose_light
         self.ask = True  # before a file that is opened is used in the design

@@ -13,14 +13,12 @@ from pathlib import Path
 from subprocess import DEVNULL, PIPE, Popen, TimeoutExpired
 from tempfile import TemporaryDirectory
 
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QMessageBox
 
-from ui.background import Background, Task
-from ui.document.document import ENDING, Document
-from ui.files.dialogs import FileDialogs
+from ui.background import Task
+from ui.document.document import ENDING
+from ui.files.dialogs import FileDialogs, FileWriter
 from ui.run.control import NO_LENS, CurrentLens
-from ui.widgets.messages import Messages
 from ui.words import capitalised, error_text, later, tr
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
@@ -32,27 +30,12 @@ from workbench.report.content import HTML, PDF, check_ending
 from workbench.scene import Scene
 
 
-class LensWriter(QObject):
-    """Writes the lens in a thread, one file at a time."""
+class LensWriter(FileWriter):
+    """Writes the lens."""
 
-    _WORK = later("export")
-
-    def __init__(
-        self,
-        document: Document,
-        lens: CurrentLens,
-        messages: Messages,
-        dialogs: FileDialogs,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._lens = document, lens
-        self._messages, self._dialogs = messages, dialogs
-        self.background = Background(self._WORK, self)
-        self.background.failed.connect(messages.warn)
-
-    def close(self) -> None:
-        self.background.close()
+    def __init__(self, lens: CurrentLens, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
+        self._lens = lens
 
     def _writable_lens(self) -> Session | None:
         """Return the design to write; report why there is none, or no time for it."""
@@ -69,6 +52,7 @@ class LensWriter(QObject):
 class Exporter(LensWriter):
     """Asks for a file and writes it."""
 
+    _WORK = later("export")
     ask_options: Callable[[Session, Format], Chosen | None]  # set by the window
 
     def choose_and_export(self) -> None:

@@ -8,20 +8,18 @@ from functools import partial
 from pathlib import Path
 from typing import BinaryIO
 
-from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
-from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWriter
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage
 
-from ui.background import Background, Task
+from ui.background import Task
 from ui.commands.panes import PANES
-from ui.document.document import Document
 from ui.document.frame import iterations_before
 from ui.document.shown_lens import FrameHistory
-from ui.files.dialogs import FileDialogs
+from ui.files.dialogs import FileDialogs, FileWriter, png_bytes
 from ui.views.loss_strip import LossStrip
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.shared_view import SharedView
-from ui.widgets.messages import Messages
 from ui.widgets.native import rgb_image
 from ui.widgets.shelf import open_folder
 from ui.words import error_text, in_sentence, later, tr
@@ -29,6 +27,7 @@ from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
 from workbench.pictures.axes import Column
+from workbench.progress import Interrupted
 
 _PNG = ".png"
 _TABLE, _DATA = ".csv", ".json"
@@ -51,13 +50,7 @@ _VIDEOS = later(
 _WIDE = 1800  # pixels of a picture of the 3D scene, about
 
 
-class _PictureFiles(QObject):
-    def __init__(
-        self, document: Document, messages: Messages, dialogs: FileDialogs, parent: QObject
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._messages, self._dialogs = document, messages, dialogs
-
+class _PictureFiles(FileWriter):
     def _write(self, path: Path, write: Callable[[BinaryIO], object], size: str = "") -> None:
         try:
             with replacing(path) as file:
@@ -65,26 +58,32 @@ class _PictureFiles(QObject):
         except Refused as refused:
             self._messages.warn(error_text(refused))
         else:
-            text = tr("{path} is written.").format(path=f"{path}{size}")
-            self._messages.done(text, (tr("Open folder"), partial(open_folder, path)))
+            folder = (tr("Open folder"), partial(open_folder, path))
+            self._messages.done(_written(f"{path}{size}"), folder)
+
+    def _write_later(self, path: Path, write: Callable[[Task], object]) -> None:
+        """Write in the thread."""
+
+        def work(task: Task) -> None:
+            write(task)
+            task.outcome, task.path = _written(path), path
+
+        self.background.begin(work, title=tr("Export {name}").format(name=path.name))
+
+
+def _written(path: object) -> str:
+    return tr("{path} is written.").format(path=path)
 
 
 class Plots(_PictureFiles):
     """Copies and saves the plot that was clicked, or reached by keyboard, last."""
 
-    def __init__(
-        self,
-        plots: Mapping[str, PlotView | LossStrip],
-        document: Document,
-        messages: Messages,
-        dialogs: FileDialogs,
-        parent: QObject,
-    ) -> None:
-        super().__init__(document, messages, dialogs, parent)
+    _WORK = later("plot")
+
+    def __init__(self, plots: Mapping[str, PlotView | LossStrip], dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
         self._plots = dict(plots)
         self._last = next(iter(plots))
-        self.background = Background(later("plot"), self)
-        self.background.failed.connect(messages.warn)
         for name, plot in plots.items():
             plot.touched.connect(partial(self._touch, name))
 
@@ -139,9 +138,6 @@ class Plots(_PictureFiles):
         endings = {tr(text): ending for text, ending in _FILTERS.items() if ending in known}
         return self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
 
-    def close(self) -> None:
-        self.background.close()
-
     def _touch(self, name: str) -> None:
         self._last = name
 
@@ -159,15 +155,13 @@ class Plots(_PictureFiles):
             self._messages.note(tr("A plot is still being written. Save the next one after it."))
             return
 
-        def work(task: Task) -> None:
+        def write(_: Task) -> None:
             with io.StringIO() as line, replacing(path) as file:
                 csv.writer(line, lineterminator="").writerow([column.name for column in columns])
                 values = [column.values for column in columns]
                 write_table(file, values, line.getvalue(), delimiter=",")
-            task.outcome, task.path = tr("{path} is written.").format(path=path), path
 
-        # Takes seconds for a large image.
-        self.background.begin(work, title=tr("Export {name}").format(name=path.name))
+        self._write_later(path, write)  # takes seconds for a large image
 
 
 def _in_words(name: str) -> str:
@@ -177,19 +171,11 @@ def _in_words(name: str) -> str:
 class Videos(_PictureFiles):
     """Saves the images of a run, one after the other, as a video."""
 
-    def __init__(
-        self,
-        history: FrameHistory,
-        shared: SharedView,
-        document: Document,
-        messages: Messages,
-        dialogs: FileDialogs,
-        parent: QObject,
-    ) -> None:
-        super().__init__(document, messages, dialogs, parent)
+    _WORK = later("video")
+
+    def __init__(self, history: FrameHistory, shared: SharedView, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
         self._history, self._shared = history, shared
-        self.background = Background(later("video"), self)
-        self.background.failed.connect(messages.warn)
 
     def choose_and_save(self) -> None:
         """Ask for a file, and write the recorded iterations of the shown image there."""
@@ -204,7 +190,7 @@ class Videos(_PictureFiles):
         now, caption = self._shared.now, tr("iteration {number}, error {error} %")
         number = self._shared.number_in(frames[-1].session.scene)
 
-        def work(task: Task) -> None:
+        def write(task: Task) -> None:
             from workbench.pictures.video import Video, check_video  # late: draws
 
             def in_words(iteration: int, error: float) -> str:
@@ -216,31 +202,20 @@ class Videos(_PictureFiles):
             video = Video(session.scene, session.target, in_words, now.colours)
             for done, frame in enumerate(shown):
                 if task.stopped:
-                    return
+                    raise Interrupted
                 video.add(frame.state.irradiance, iterations_before(frame))
                 task.report(done / len(shown))
             with replacing(path) as file:
                 video.write(file, path.suffix.lower())
-            task.outcome, task.path = tr("{path} is written.").format(path=path), path
 
-        self.background.begin(work, title=tr("Export {name}").format(name=path.name))
-
-    def close(self) -> None:
-        self.background.close()
+        self._write_later(path, write)
 
 
 class ScenePictures(_PictureFiles):
     """Copies and saves the picture of the 3D view."""
 
-    def __init__(
-        self,
-        view: SceneView,
-        document: Document,
-        messages: Messages,
-        dialogs: FileDialogs,
-        parent: QObject,
-    ) -> None:
-        super().__init__(document, messages, dialogs, parent)
+    def __init__(self, view: SceneView, dialogs: FileDialogs) -> None:
+        super().__init__(dialogs)
         self._view = view
 
     def slots(self) -> dict[str, Callable[[], object]]:
@@ -261,11 +236,8 @@ class ScenePictures(_PictureFiles):
     def save(self, path: Path) -> None:
         image = self._image(max(1, round(_WIDE / self._view.width())))
         if image is not None:
-            buffer = QBuffer()
-            buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-            QImageWriter(buffer, b"png").write(image)
             size = f" ({image.width()} × {image.height()})"
-            self._write(path, lambda file: file.write(bytes(buffer.data().data())), size)
+            self._write(path, lambda file: file.write(png_bytes(image)), size)
 
     def ask_for_name(self) -> Path | None:
         name, filters = f"{self._document.name} 3D", {tr(_PICTURE): _PNG}

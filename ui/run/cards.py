@@ -89,9 +89,6 @@ class Findings(QObject):
     def set_goal(self, goal: "Goal", limit: float | None) -> None:
         self.edit_asked.emit(tr("goal"), {goal.path: limit})
 
-    def close(self) -> None:
-        self._background.close()
-
     def _mend_waiting(self) -> None:
         cure, self._waiting = self._waiting, None
         if cure is not None:

@@ -76,9 +76,6 @@ class Runs(QObject):
         noted, run = self._document.verified.of_lens(result), self._current
         return noted or (None if run is None else self._document.verified.of(run))
 
-    def close(self) -> None:
-        self.check.close()
-
     def _compare_chosen(self) -> None:
         if len(self.table.chosen) == 2:
             self.table.compare()

@@ -9,7 +9,7 @@ from collections import OrderedDict
 from time import perf_counter
 
 from PySide6.QtCore import QEvent, QObject, QTimer
-from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.background import Background
@@ -110,11 +110,6 @@ class View(QWidget):
 
     def allow(self, resting: bool) -> None:
         self._resting = resting
-
-    def close_threads(self) -> None:
-        """Cancel all computation and wait for its threads; safe to call twice."""
-        for background in self.findChildren(Background):
-            background.close()
 
     def show_design(self, session: Session) -> None:
         self._session = session
@@ -224,10 +219,6 @@ class ComputingView(View):
         else:
             self._want_nothing()
 
-    def close_threads(self) -> None:
-        self._rest.stop()
-        super().close_threads()
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._want()
@@ -235,10 +226,6 @@ class ComputingView(View):
     def hideEvent(self, event: QHideEvent) -> None:
         self._want_nothing()
         super().hideEvent(event)
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self.close_threads()
-        super().closeEvent(event)
 
     def _seen(self) -> bool:
         return self._frame is not None and self.isVisible() and not self._covered

@@ -90,5 +90,3 @@ class Views(QObject):
 
     def close(self) -> None:
         self.scene.close_plotter()
-        for view in self.around.values():
-            view.close_threads()

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, QSize, Qt, QTimer, QUrl, Signal
+from PySide6.QtCore import QObject, QPoint, QSize, Qt, QTimer, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QFrame,
@@ -89,6 +89,7 @@ class Shelf(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.entries: list[Entry] = []
+        self._followed: set[Background] = set()
         self.button, self._bar = QToolButton(), QProgressBar(textVisible=False)
         self.button.setAutoRaise(True)
         self.button.setToolTip(tr("Checks, exports, reports and sweeps in the background"))
@@ -111,9 +112,11 @@ class Shelf(QWidget):
         self._soon.timeout.connect(self._show_count)
         self._show_count()
 
-    def follow(self, *backgrounds: Background) -> None:
-        """List all work of these that has a title."""
-        for background in backgrounds:
+    def follow(self, owner: QObject) -> None:
+        """List all work of an object and its children that has a title; again for new children."""
+        new = set(owner.findChildren(Background)) - self._followed
+        self._followed |= new
+        for background in new:
             background.changed.connect(lambda task, of=background: self._show(task, of))
 
     @property

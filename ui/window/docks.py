@@ -207,7 +207,7 @@ class EarlyParts(QObject):
         self.panes = Panes(desk, self.forms, messages, document.undo_stack, self.log)
         self.panes.name_light(document.session)
         document.session_changed.connect(self.panes.name_light)
-        self.dialogs = FileDialogs(document, settings, window)
+        self.dialogs = FileDialogs(document, messages, settings, window)
         self._bar = window.statusBar()
         self.shelf = shelf = Shelf()
         shelf.written.connect(self._announce)

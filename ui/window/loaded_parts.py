@@ -58,12 +58,11 @@ class LoadedParts(QObject):
             "manufacture": self.manufacture.map,
             "tolerances": self.tolerances.plot,
         }
-        self.plots = Plots(plots, document, messages, early.dialogs, self)
+        self.plots = Plots(plots, early.dialogs)
         self.tools = LensTools(document, self.control, views.scene, self)
         self.postponed = PostponedEdits(early.forms, self.control, messages, self)
-        self._pictures = ScenePictures(views.scene, document, messages, early.dialogs, self)
-        history, shared = self.control.history, views.shared
-        self.videos = Videos(history, shared, document, messages, early.dialogs, self)
+        self._pictures = ScenePictures(views.scene, early.dialogs)
+        self.videos = Videos(self.control.history, views.shared, early.dialogs)
         RunLog(document, self.control, early.log.add)
         self.findings = Findings(self.control, self.runs.error_of)
         self.cards = ResultCards(self.findings, early.commands)
@@ -77,15 +76,6 @@ class LoadedParts(QObject):
         views.shared.changed.connect(self._follow_marking)
         views.follow(document, shown, self.control.history)
         views.scene.escaped.connect(early.commands["turn"].trigger)
-        early.shelf.follow(
-            self.check.background,
-            self.runs.check.background,
-            self.plots.background,
-            self.videos.background,
-            self.tolerances.background,
-            self.manufacture.background,
-            views.photo.background,
-        )
         views.scene.menu_asked.connect(self._show_scene_menu)
         menu = early.commands.scene_menu
         self._edit_part = QAction(menu)
@@ -111,8 +101,7 @@ class LoadedParts(QObject):
         self.views.allow(resting, go_on)
 
     def close(self) -> None:
-        engines = (self.follow, self.control, self.check, self.plots, self.videos, self.runs)
-        for part in (*engines, self.findings, self.bound, self.views, self.tools):
+        for part in (self.follow, self.control, self.views, self.tools):
             part.close()
 
     def _connect_run(self) -> None:

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
+from ui.widgets.messages import Messages
 
 
 @pytest.fixture
@@ -29,7 +30,7 @@ def window_of_dialogs(qtbot):
 
 @pytest.fixture
 def make(settings, window_of_dialogs):
-    return lambda document: FileDialogs(document, settings, window_of_dialogs)
+    return lambda document: FileDialogs(document, Messages(), settings, window_of_dialogs)
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from ui.background import close_threads
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.files.plots import Plots
@@ -43,10 +44,10 @@ def plots(views, session, settings, qtbot):
     qtbot.addWidget(messages)
     window = next(iter(views.values())).window()
     document = Document(session, "lens", window)
-    dialogs = FileDialogs(document, settings, window)
-    plots = Plots(views, document, messages, dialogs, window)
+    dialogs = FileDialogs(document, messages, settings, window)
+    plots = Plots(views, dialogs)
     yield plots
-    plots.close()
+    close_threads(plots)
 
 
 def test_the_picture_of_the_plot_that_was_clicked_is_copied(plots, views, qtbot):

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.ui.hands import fill
+from ui.background import close_threads
 from ui.manufacture.pane import ManufacturePane
 from workbench.analysis.manufacture import manufacture
 from workbench.geometry.faces import FaceArrays
@@ -25,7 +26,7 @@ def bowl(session, frames):
 @pytest.fixture
 def pane(settings, session, bowl, show, qtbot):
     pane = ManufacturePane(settings, [])
-    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_threads())
+    qtbot.addWidget(pane, before_close_func=close_threads)
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
     show(pane, 760, 420)

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QObject, Qt
 
 from tests.ui.hands import fill, move_screen
+from ui.background import close_threads
 from ui.document.document import Document
 from ui.run.cards import Findings, ResultCards
 from ui.run.control import RunControl
@@ -177,7 +178,7 @@ def desk(qtbot, session, as_run):
     owner.findings.found.connect(lambda found, *_: owner.found.append(found))
     owner.control.runner.frame_ready.connect(owner.findings.show_frame)
     yield owner
-    owner.findings.close()
+    close_threads(owner.findings)
     owner.control.close()
     owner.deleteLater()
 

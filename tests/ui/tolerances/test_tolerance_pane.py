@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import fill
+from ui.background import close_threads
 from ui.manufacture import tolerance_pane as pane_module
 from ui.manufacture.tolerance_pane import TolerancePane
 from workbench.analysis.tolerance_fields import ABOUT
@@ -28,7 +29,7 @@ def frame(frames):
 def pane(session, frame, show, monkeypatch, qtbot):
     monkeypatch.setattr(pane_module, "_RAYS", RAYS)
     pane = TolerancePane()
-    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_threads())
+    qtbot.addWidget(pane, before_close_func=close_threads)
     pane.show_design(session)
     pane.show_frame(frame)
     return show(pane, 760, 420)

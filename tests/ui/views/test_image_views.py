@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 from shiboken6 import isValid
 
+from ui.background import close_threads
 from ui.views.derivative_view import DerivativeView
 from ui.views.focus_view import FocusView
 from ui.views.light_images import ErrorView, IrradianceView, PinnedView, TargetView
@@ -183,7 +184,7 @@ def test_all_images_are_at_the_same_place(size, frame, show):
         view = show(kind(), *size)
         canvas = view._canvas
         places.add((canvas.mapTo(view, QPoint()).toTuple(), canvas.size().toTuple()))
-        view.close_threads()
+        close_threads(view)
     assert len(places) == 1
 
 
@@ -191,7 +192,7 @@ def test_the_screen_outlives_views_that_are_collected_while_they_are_shown(show)
     for _ in range(10):
         for kind in (IrradianceView, TargetView, FocusView, DerivativeView):
             view = show(kind(), 400, 300)
-            view.close_threads()
+            close_threads(view)
         del view
         gc.collect()
         assert all(isValid(screen) and screen.name() for screen in QGuiApplication.screens())
@@ -206,7 +207,7 @@ def test_a_photo_and_through_focus_zoom_with_the_light(views, frame, show, qtbot
     assert limits(photo) == limits(views[0]) == part
     turn_wheel(photo, 0.0, 0.0, -20)
     assert limits(views[2]) == (-1, 1, -1, 1)
-    photo.close_threads()
+    close_threads(photo)
 
 
 def test_moving_the_image_computes_no_colours(views, monkeypatch, qtbot):

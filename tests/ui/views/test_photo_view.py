@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 from PySide6.QtWidgets import QComboBox, QLabel, QSlider
 
+from ui.background import close_threads
 from ui.views.photo_view import PhotoView
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import photograph
@@ -32,7 +33,7 @@ def view(flat, show, qtbot):
     view.show_frame(flat(0))
     show(view, 500, 400)
     yield view
-    view.close_threads()
+    close_threads(view)
 
 
 def stated(view):

@@ -20,7 +20,7 @@ def shelf(show, qtbot):
 @pytest.fixture
 def background(shelf):
     background = Background("export", shelf)
-    shelf.follow(background)
+    shelf.follow(shelf)
     yield background
     background.close()
 
