@@ -100,7 +100,7 @@ class MainWindow(QMainWindow):
         self.loaded: LoadedParts | None = None
         self._leaving = False  # whatever would be lost
         self._to_open: Path | None = None  # as soon as the run has ended
-        self._closing = False  # as soon as the run has ended
+        self.closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
         self._state = WindowState(early, self._lens)
         self._add_menus()
@@ -193,11 +193,6 @@ class MainWindow(QMainWindow):
             self.loaded.check.cancel()
 
     @property
-    def closing(self) -> bool:
-        """Whether it closes as soon as its run has ended."""
-        return self._closing
-
-    @property
     def _busy(self) -> bool:
         return self.loaded is not None and self.loaded.control.busy
 
@@ -217,15 +212,15 @@ class MainWindow(QMainWindow):
         self.forms.drop_postponed_edits()
         if not self._busy:  # it ended while the question stood
             return self.files.save()
-        self._closing = True
+        self.closing = True
         assert self.loaded is not None  # or nothing would be under way
         self.loaded.control.runner.stop()
         return False
 
     def _end_run(self) -> None:
         self.status.settle()
-        if self._closing:
-            self._closing = False
+        if self.closing:
+            self.closing = False
             if not (self.files.save() and self.close()):
                 self.stayed.emit()
             return

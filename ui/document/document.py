@@ -80,28 +80,13 @@ class Document(QObject):
 
     def __init__(self, session: Session, name: str, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session = session
-        self._path: Path | None = None
-        self._fingerprint: str | None = None
+        self.session = session  # scene, target and, once designed, the result
+        self.path: Path | None = None  # of the file that saving writes
+        self.fingerprint: str | None = None  # of that file when it was last read or written
         self._suggestion = Path(name)
         self.verified = VerifiedErrors()
         self.undo_stack = UndoSteps(self._show, self)
         self.undo_stack.cleanChanged.connect(self._emit_dirty)
-
-    @property
-    def session(self) -> Session:
-        """Scene, target and, once designed, the result."""
-        return self._session
-
-    @property
-    def path(self) -> Path | None:
-        """The session file that saving writes; None for a design without one."""
-        return self._path
-
-    @property
-    def fingerprint(self) -> str | None:
-        """Fingerprint of the file when it was last read or written, if any."""
-        return self._fingerprint
 
     @property
     def name(self) -> str:
@@ -109,7 +94,7 @@ class Document(QObject):
 
     @property
     def suggested_path(self) -> Path:
-        return self._path or self._suggestion.with_suffix(ENDING)
+        return self.path or self._suggestion.with_suffix(ENDING)
 
     @property
     def folder(self) -> Path | None:
@@ -127,7 +112,7 @@ class Document(QObject):
         old = self.before(key)
         # A relative path typed by hand starts beside the file, as it will when saved there.
         scene = with_absolute_files(scene, self.suggested_path)
-        if scene == self._session.scene:
+        if scene == self.session.scene:
             return
         after = with_task(old, scene, self.suggested_path.parent)
         self.change(after, text, key)
@@ -136,32 +121,32 @@ class Document(QObject):
     def after_edit(self, scene: Scene) -> Session:
         """Return the session after an edit, without making it."""
         scene = with_absolute_files(scene, self.suggested_path)
-        return with_task(self._session, scene, self.suggested_path.parent)
+        return with_task(self.session, scene, self.suggested_path.parent)
 
     def before(self, key: str) -> Session:
         """Return the session before a step with this key, which may be merged with the last one."""
-        return self.undo_stack.origin(key) or self._session
+        return self.undo_stack.origin(key) or self.session
 
     def read_image_again(self) -> None:
         """Reload the target's image file as an undoable step."""
-        before = self._session
+        before = self.session
         after = with_file(before, self.suggested_path.parent)
         self.change(after, tr("reload of the image"))
         self.edited.emit(before, after)
 
     def set_result(self, result: Result, text: str) -> None:
-        self.change(replace(self._session, result=result), text)
+        self.change(replace(self.session, result=result), text)
 
     def change(self, session: Session, text: str, key: str = "") -> None:
         """Replace the session as an undoable step."""
-        self.undo_stack.take(self._session, session, text, key)
+        self.undo_stack.take(self.session, session, text, key)
 
     def improve(self, session: Session) -> None:
         """Replace the lens by a better one for the same task, as part of the last step.
 
         No signal is sent: the caller shows the lens.
         """
-        self._session = session
+        self.session = session
         self.undo_stack.amend(session)
 
     def seal(self) -> None:
@@ -174,12 +159,12 @@ class Document(QObject):
 
         def exchange() -> None:
             nonlocal other
-            now = self._path, self._fingerprint, self._suggestion
-            (self._path, self._fingerprint, self._suggestion), other = other, now
+            now = self.path, self.fingerprint, self._suggestion
+            (self.path, self.fingerprint, self._suggestion), other = other, now
             self.path_changed.emit()
 
         self.undo_stack.take(
-            self._session, session, tr("new task: {name}").format(name=name), exchange=exchange
+            self.session, session, tr("new task: {name}").format(name=name), exchange=exchange
         )
         self.begun.emit(session)
 
@@ -202,29 +187,29 @@ class Document(QObject):
 
     def on_disk(self, path: Path) -> OnDisk:
         """Compare a file with the design; `OnDisk.KNOWN` for any file but its own."""
-        if self._path is None or path.resolve() != self._path.resolve():
+        if self.path is None or path.resolve() != self.path.resolve():
             return OnDisk.KNOWN
         found = fingerprint(path)
-        if found == self._fingerprint:
+        if found == self.fingerprint:
             return OnDisk.KNOWN
         return OnDisk.GONE if found is None else OnDisk.CHANGED
 
     def revert(self) -> None:
         """Restore the saved file as an undoable step."""
-        if self._path is not None:
-            found = fingerprint(self._path)
-            self.change(read_session(self._path), tr("revert to the file"))
-            self._fingerprint = found
+        if self.path is not None:
+            found = fingerprint(self.path)
+            self.change(read_session(self.path), tr("revert to the file"))
+            self.fingerprint = found
             self.undo_stack.setClean()
 
     def save(
         self, path: Path, view: dict[str, Any] | None = None, making: Result | None = None
     ) -> None:
-        session = replace(self.verified.complete(self._session), view=view)
+        session = replace(self.verified.complete(self.session), view=view)
         if making is not None:
             session = replace(session, result=making)
-        self._fingerprint = write_session(session, path)
-        self._path = path
+        self.fingerprint = write_session(session, path)
+        self.path = path
         if making is None:
             self.undo_stack.setClean()
         else:
@@ -237,12 +222,12 @@ class Document(QObject):
     def _begin(
         self, session: Session, suggestion: Path, path: Path | None = None, known: str | None = None
     ) -> None:
-        self._path, self._fingerprint, self._suggestion = path, known, suggestion
+        self.path, self.fingerprint, self._suggestion = path, known, suggestion
         self.undo_stack.clear()
         self.undo_stack.setClean()  # an empty stack is left as it was, a recovered one too
         self._show(session)
         self.path_changed.emit()
 
     def _show(self, session: Session) -> None:
-        self._session = session
+        self.session = session
         self.session_changed.emit(session)

@@ -1,7 +1,6 @@
 """The shown lens, and the history of a run."""
 
 import weakref
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -40,28 +39,19 @@ class FrameHistory(QObject):
     def __init__(self, parent: QObject | None = None, budget: int = _BUDGET) -> None:
         super().__init__(parent)
         self._budget = budget
-        self._frames: list[Frame] = []
+        self.frames: list[Frame] = []
         self._gap = 1  # iterations between frames, at least
-        self._checks: tuple[Verified, ...] = ()
+        self.checks: tuple[Verified, ...] = ()  # of lenses of this history, in their order
         self._kept: list[_KeptCourse] = []
-
-    @property
-    def frames(self) -> Sequence[Frame]:
-        return self._frames
-
-    @property
-    def checks(self) -> "tuple[Verified, ...]":
-        """Checks of lenses of this history, in the order of their ends."""
-        return self._checks
 
     def add(self, frame: Frame) -> None:
         """Add the latest frame; later frames of an earlier history are dropped."""
-        frames, at = self._frames, iterations_before(frame)
+        frames, at = self.frames, iterations_before(frame)
         while frames and iterations_before(frames[-1]) >= at:
             frames.pop()
         if not frames:
             self._gap = 1
-        self._checks = _until(at, self._checks)
+        self.checks = _until(at, self.checks)
         # Replace the last frame, unless it is far enough from the one before it.
         if (
             len(frames) > 1
@@ -75,7 +65,7 @@ class FrameHistory(QObject):
         self.changed.emit()
 
     def add_check(self, check: "Verified") -> None:
-        self._checks += (check,)
+        self.checks += (check,)
         self.changed.emit()
 
     def add_later_check(self, check: "Verified", result: Result, session: Session) -> None:
@@ -86,13 +76,13 @@ class FrameHistory(QObject):
             self.show(session)
 
     def keep(self, result: Result) -> None:
-        self._keep(result.losses, tuple(self._frames), self._checks)
+        self._keep(result.losses, tuple(self.frames), self.checks)
 
     def branch(self, frame: Frame) -> None:
         """Keep the shown history up to a frame that becomes a result."""
         at = iterations_before(frame)
-        before = (each for each in self._frames if iterations_before(each) < at)
-        self._keep(frame.result.losses, (*before, frame), _until(at, self._checks))
+        before = (each for each in self.frames if iterations_before(each) < at)
+        self._keep(frame.result.losses, (*before, frame), _until(at, self.checks))
 
     def show(self, session: Session) -> None:
         """Show the history of a session's result; empty if there is none."""
@@ -100,8 +90,8 @@ class FrameHistory(QObject):
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
         if frames and not same_task(frames[0].session, session):
             frames = ()  # the lens is the same, but its frames are of another scene
-        if (*frames,) != (*self._frames,) or checks != self._checks:
-            self._frames, self._checks = list(frames), checks
+        if (*frames,) != (*self.frames,) or checks != self.checks:
+            self.frames, self.checks = list(frames), checks
             self._gap = 1 if kept is None else kept.gap
             self.changed.emit()
 

@@ -41,7 +41,7 @@ class Forms(FormArea):
         self._document = document
         self._entries = Entries(self._make)
         self._pending = self._entries.waiting
-        self._refusals: tuple[str, ...] = ()
+        self.refusals: tuple[str, ...] = ()  # fields whose edits wait to be corrected, and why
         self._editing = self._running = False
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
@@ -103,11 +103,6 @@ class Forms(FormArea):
     @property
     def postponed_edits(self) -> int:
         return len(self._later)
-
-    @property
-    def refusals(self) -> tuple[str, ...]:
-        """The fields whose edits wait to be corrected, and why."""
-        return self._refusals
 
     def commit(self) -> None:
         for row in self._rows():
@@ -213,7 +208,7 @@ class Forms(FormArea):
             self._refuse(edit, refused)
         self._show()
         if refused is not None and edit.path in self._pending:
-            self.message.emit(tr("Refused: {refused}").format(refused=self._refusals[-1]))
+            self.message.emit(tr("Refused: {refused}").format(refused=self.refusals[-1]))
 
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
@@ -300,8 +295,8 @@ class Forms(FormArea):
         for panel in self.panels:
             for row in panel.rows:
                 row.refuse(reasons.get(row, ""))
-        if tuple(refusals) != self._refusals:
-            self._refusals = tuple(refusals)
+        if tuple(refusals) != self.refusals:
+            self.refusals = tuple(refusals)
             self._escape.setEnabled(bool(refusals))
             self.refusals_changed.emit()
 

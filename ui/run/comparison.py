@@ -82,7 +82,7 @@ class RunComparison(QDialog):
         self._choice.setAccessibleName(tr("Image that is shown"))
         self._choice.setToolTip(tr("Choose the image to compare"))
         self._choice.activated.connect(self._show_image)
-        self._pair: Pair | None = None
+        self.pair: Pair | None = None
         self._picture: Comparison | None = None
         self._readout = QLabel(tr(_POINT))
         self._readout.setAccessibleName(tr("Value under the pointer"))
@@ -102,12 +102,8 @@ class RunComparison(QDialog):
         filled(QHBoxLayout(self), parts, margins=(8, 8, 8, 8))
         self.resize(_SIZE.boundedTo(window.size()))
 
-    @property
-    def pair(self) -> Pair | None:
-        return self._pair
-
     def show_pair(self, pair: Pair) -> None:
-        self._pair = pair
+        self.pair = pair
         titles = image_titles(*(run.scene for run in pair))
         chosen = min(max(self._choice.currentIndex(), 0), len(titles) - 1)
         self._choice.clear()
@@ -118,13 +114,13 @@ class RunComparison(QDialog):
 
     def show_figures(self) -> None:
         """Fill the table: figures of both runs, light of each area, fields that differ."""
-        if self._pair is None:
+        if self.pair is None:
             return
-        images = [self._image_of(run) for run in self._pair]
-        self.table.setHorizontalHeaderLabels(["", *map(called, self._pair)])
+        images = [self._image_of(run) for run in self.pair]
+        self.table.setHorizontalHeaderLabels(["", *map(called, self.pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
-        own = zip(*map(self._figures_of, self._pair), strict=True)
+        own = zip(*map(self._figures_of, self.pair), strict=True)
         self._add("", ((tr(name), one, other) for (name, one), (_, other) in own))
         areas = [_areas_of(run) for run in images]
         for area in areas[0] | areas[1]:
@@ -134,13 +130,13 @@ class RunComparison(QDialog):
                 for name in one | other
             ]
             self._add(capitalised(tr(area)), figures)
-        apart = differences(*(run.scene for run in self._pair))
+        apart = differences(*(run.scene for run in self.pair))
         fields = ((field_title(each.title), *map(tr, each.values)) for each in apart)
         self._add(tr(_DIFFER if apart else _SAME), fields)
 
     def _show_image(self) -> None:
-        assert self._pair is not None  # since there is a choice
-        one, other = (replace(run, name=called(run)) for run in self._pair)
+        assert self.pair is not None  # since there is a choice
+        one, other = (replace(run, name=called(run)) for run in self.pair)
         self._picture = Comparison(self._canvas.figure, (one, other), self._choice.currentIndex())
         translate(self._canvas.figure, self._picture.titles)
         self._canvas.recolour()

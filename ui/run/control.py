@@ -36,10 +36,10 @@ class Runner(QObject):
     def __init__(self, parent: QObject | None = None, generate: Generate | None = None) -> None:
         super().__init__(parent)
         self._generate = generate
-        self._state = "idle"
+        self.state = "idle"  # or "running", "paused", "stopping"
         self._waiting = False
         self._job: RunJob | None = None
-        self._best: Result | None = None
+        self.best: Result | None = None  # of the active run so far
         self._background = Background(later("run"), self)
         self._background.progressed.connect(self._wait)
         self._background.done.connect(lambda *_: self._end())
@@ -47,46 +47,36 @@ class Runner(QObject):
         self._timer = QTimer(self, interval=_FRAME_MS)
         self._timer.timeout.connect(self._take_frame)
 
-    @property
-    def state(self) -> str:
-        """One of "idle", "running", "paused" and "stopping"."""
-        return self._state
-
-    @property
-    def best(self) -> Result | None:
-        """The best lens so far of the active run, if any."""
-        return self._best
-
     def start(self, session: Session, continue_run: bool) -> None:
-        if self._state != "idle":
-            raise RuntimeError(f"cannot start a run while one is {self._state}")
+        if self.state != "idle":
+            raise RuntimeError(f"cannot start a run while one is {self.state}")
         self._give(RunJob(session, continue_run=continue_run, generate=self._generate))
         self._set_state("running")
 
     def preview(self, session: Session) -> None:
         """Show the lens with its stored figures, or those of a first trace."""
-        if self._state == "idle":
+        if self.state == "idle":
             self._give(RunJob(session, preview=True, generate=self._generate))
 
     def show(self, frame: Frame) -> None:
         """Show a frame from elsewhere in place of a preview."""
-        if self._state == "idle":
+        if self.state == "idle":
             self._drop_job()
             self.frame_ready.emit(frame)
 
     def pause(self) -> None:
-        if self._job is not None and self._state == "running":
+        if self._job is not None and self.state == "running":
             self._job.gate.hold()
             self._set_state("paused")
 
     def resume(self) -> None:
-        if self._job is not None and self._state == "paused":
+        if self._job is not None and self.state == "paused":
             self._job.gate.release()
             self._set_state("running")
 
     def stop(self) -> None:
         """End the run before its next iteration; `finished` follows."""
-        if self._job is not None and self._state in ("running", "paused"):
+        if self._job is not None and self.state in ("running", "paused"):
             self._job.gate.stop()
             self._set_state("stopping")
 
@@ -105,7 +95,7 @@ class Runner(QObject):
     def _drop_job(self) -> None:
         self._set_waiting(False)
         self._timer.stop()
-        self._best = None
+        self.best = None
         if self._job is not None:
             self._job.gate.stop()
             self._job = None
@@ -115,7 +105,7 @@ class Runner(QObject):
         if self._job is None:
             return
         frame = self._job.mailbox.take()
-        self._best = self._job.best.take() or self._best
+        self.best = self._job.best.take() or self.best
         if frame is not None:
             self._set_waiting(False)
             self.frame_ready.emit(frame)
@@ -142,8 +132,8 @@ class Runner(QObject):
             self.waiting.emit(waiting)
 
     def _set_state(self, state: str) -> None:
-        if state != self._state:
-            self._state = state
+        if state != self.state:
+            self.state = state
             self.state_changed.emit(state)
 
 

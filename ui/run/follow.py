@@ -68,7 +68,7 @@ class Follow(QObject):
         self._document, self._control = document, control
         self._live = live or LiveDesign()
         self._on = self._held = False
-        self._text = ""
+        self.text = ""
         self._changes = 0  # of the document, since what is followed was put there
         # The same object as long as the lens made last is one of the design before the next edit.
         self._chain: object = None
@@ -93,10 +93,6 @@ class Follow(QObject):
         document.begun.connect(self._begin_new)
         document.session_changed.connect(self._note_change)
         control.runner.state_changed.connect(self._rest_for_run)
-
-    @property
-    def text(self) -> str:
-        return self._text
 
     def follows(self, session: Session) -> bool:
         """Whether live update designs a lens for this session."""
@@ -321,7 +317,7 @@ class Follow(QObject):
         return tr(text, optic=self._document.session.scene.optic.called)
 
     def _show_text(self, text: str) -> None:
-        self._text = text
+        self.text = text
         self.message.emit(text)
 
 

@@ -54,47 +54,35 @@ class Gate:
 
     def __init__(self) -> None:
         self._changed = Condition()
-        self._held = False
-        self._stopped = self._given_up = False
-
-    @property
-    def held(self) -> bool:
-        return self._held
-
-    @property
-    def stopped(self) -> bool:
-        return self._stopped
-
-    @property
-    def given_up(self) -> bool:
-        return self._given_up
+        self.held = False
+        self.stopped = self.given_up = False
 
     def hold(self) -> None:
         """Make the next `passes` wait."""
         with self._changed:
-            self._held = True
+            self.held = True
 
     def release(self) -> None:
         with self._changed:
-            self._held = False
+            self.held = False
             self._changed.notify_all()
 
     def stop(self) -> None:
         """End the run at its next `passes`, also while it waits there."""
         with self._changed:
-            self._stopped = True
+            self.stopped = True
             self._changed.notify_all()
 
     def give_up(self) -> None:
         """End the run as soon as possible, for another one."""
-        self._given_up = True
+        self.given_up = True
         self.stop()
 
     def passes(self) -> bool:
         """Wait while held; whether the run may go on."""
         with self._changed:
-            self._changed.wait_for(lambda: self._stopped or not self._held)
-            return not self._stopped
+            self._changed.wait_for(lambda: self.stopped or not self.held)
+            return not self.stopped
 
 
 @dataclass(eq=False)

@@ -36,17 +36,12 @@ class FaceNets(QObject):
         super().__init__(parent)
         self._pictures: dict[str, ControlNetPicture] = {}
         self._sight: Projection | None = None
-        self._face = ""
+        self.face = ""  # id of the selected one; empty before the first drawing
         self._marked: ControlPoint | None = None
-        self._brush: tuple[tuple[int, int], float] | None = None
+        self.brush: tuple[tuple[int, int], float] | None = None
         self._locks: dict[str, Mask] = {}
         self._locks_of_design = NO_LOCKS
         self._pickable = False
-
-    @property
-    def face(self) -> str:
-        """Id of the selected face; empty before the first drawing."""
-        return self._face
 
     @property
     def faces(self) -> tuple[str, ...]:
@@ -56,17 +51,12 @@ class FaceNets(QObject):
     @property
     def picture(self) -> "ControlNetPicture | None":
         """The control points of that face; None before the first drawing."""
-        return self._pictures.get(self._face)
-
-    @property
-    def brush(self) -> tuple[tuple[int, int], float] | None:
-        """The control point in the middle of the brush, and its radius in scene units."""
-        return self._brush
+        return self._pictures.get(self.face)
 
     @property
     def locked(self) -> Mask | None:
         """Shown locks of the selected face, shape (n_u, n_v)."""
-        return self._locks.get(self._face)
+        return self._locks.get(self.face)
 
     def pick(self, x: float, y: float) -> ControlPoint | None:
         """Return the shown control point of any face at a window position."""
@@ -94,21 +84,21 @@ class FaceNets(QObject):
         return point.index
 
     def choose(self, face: str) -> None:
-        if face != self._face:
-            self._face, self._brush = face, None
+        if face != self.face:
+            self.face, self.brush = face, None
             self.changed.emit()
 
     def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
         brush = None if index is None else (index, radius)
-        if brush != self._brush:
-            self._brush = brush
+        if brush != self.brush:
+            self.brush = brush
             self.changed.emit()
 
     def show_locked(self, locked: Mask | None) -> None:
         if locked is None:
-            self._locks.pop(self._face, None)
+            self._locks.pop(self.face, None)
         else:
-            self._locks[self._face] = locked
+            self._locks[self.face] = locked
         self.changed.emit()
 
     def show_locks(self, locks: Locks) -> None:
@@ -133,16 +123,16 @@ class FaceNets(QObject):
             for face in freeform_nets(optic)
         }
         self._sight = Projection(plotter)
-        if self._face not in self._pictures:
-            self._face, self._brush = scene.optic.designed_face, None
+        if self.face not in self._pictures:
+            self.face, self.brush = scene.optic.designed_face, None
 
     def draw(self, heights: ControlHeights, shown: bool) -> None:
         self._pickable = shown or self._marked is not None
         for face, net in self._pictures.items():
-            here = face == self._face
+            here = face == self.face
             # What was meant for another net is left out until the tool is moved.
             shape = net.shape
-            brush, marked, locked = self._brush, self._marked, self._locks.get(face)
+            brush, marked, locked = self.brush, self._marked, self._locks.get(face)
             if brush is not None and (brush[0][0] >= shape[0] or brush[0][1] >= shape[1]):
                 brush = None
             net.update(heights[face])

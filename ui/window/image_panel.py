@@ -64,7 +64,7 @@ class ImagePanel(QFrame):
         self._compare.setMenu(menu)
         self._compare.toggled.connect(self._show)
         name_extension(self._bar, tr("More images"))
-        self._name, self._second = "irradiance", "target"
+        self.name, self._second = "irradiance", "target"
         self._offer_pinned(False)
         box = QVBoxLayout()
         box.setSpacing(0)
@@ -77,11 +77,6 @@ class ImagePanel(QFrame):
         corner = filled(QVBoxLayout(), over, margins=_OVER)
         layout.addLayout(corner, 0, 0, Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignRight)
         self._show()
-
-    @property
-    def name(self) -> str:
-        """Name of the view that is shown, the left one of two."""
-        return self._name
 
     @property
     def compared(self) -> str:
@@ -104,14 +99,14 @@ class ImagePanel(QFrame):
         """Show a view; the one to the right of the handle where it is that already."""
         if name == self.compared:
             return
-        self._name = name
+        self.name = name
         self._show()
         self.chosen.emit(name)
 
     def compare_with(self, name: str) -> None:
         """Show a second view to the right of the first, with a handle between."""
-        if name == self._name:
-            self._name = self._second
+        if name == self.name:
+            self.name = self._second
         self._second = name
         self._compare.setChecked(True)
         self._show()
@@ -126,7 +121,7 @@ class ImagePanel(QFrame):
             self._compare.setChecked(False)
         if self._second == _PINNED:
             self._second = "target"
-        if self._name == _PINNED:
+        if self.name == _PINNED:
             self.choose("irradiance")
 
     def _offer_pinned(self, offered: bool) -> None:
@@ -147,14 +142,14 @@ class ImagePanel(QFrame):
         return action
 
     def _show(self) -> None:
-        if self._second == self._name:
-            self._second = next(name for name in self._modes if name != self._name)
-        self._modes[self._name].setChecked(True)
+        if self._second == self.name:
+            self._second = next(name for name in self._modes if name != self.name)
+        self._modes[self.name].setChecked(True)
         second = self._seconds[self._second]
         second.setChecked(True)
         words = tr("Compare: {image}").format(image=second.text()) if self.compared else ""
         self._compare.setText(words or tr("Compare"))
-        self._views.show_views(self._name, self.compared)
+        self._views.show_views(self.name, self.compared)
 
 
 class _Swipe(QWidget):
