@@ -17,12 +17,9 @@ from PySide6.QtWidgets import (
 from ui.commands.command_search import SEPARATOR
 from ui.commands.panes import PANES
 from ui.commands.table import (
-    COLOURS,
+    CHOICES,
     COMMANDS,
-    FACES_BY,
     LOCKS,
-    RAYS,
-    RAYS_BY,
     TOOLS,
     VIEWS,
     WORKSPACE_CHOICES,
@@ -32,118 +29,56 @@ from ui.commands.toolbar import Toolbar
 from ui.widgets import theme
 from ui.words import tr
 
-_RUN = ["start", "continue", "pause", "stop"]
+
+def _listed(*entries: Any) -> list[Any]:
+    """Entries of a menu: names from lines, in which | is a separator, and menus as they are."""
+    lines = (entry.split() if isinstance(entry, str) else [entry] for entry in entries)
+    return [None if each == "|" else each for line in lines for each in line]
+
+
+_RUN = "start continue pause stop"
+_TOOLS, _LOCKS, _VIEWS = " ".join(TOOLS), " ".join(LOCKS), " ".join(f"{v}_view" for v in VIEWS)
 
 # Menus by name; None is a separator, a tuple a menu within. The window adds recent files, saved
 # layouts and docks.
 MENUS: dict[str, list[Any]] = {
-    "&File": [
-        "new",
-        "new_window",
-        "open",
+    "&File": _listed(
+        "new new_window open",
         ("Open &recent", []),
-        None,
-        "save",
-        "save_as",
-        "revert",
-        None,
-        "export",
-        "cut",
-        "plan",
-        "photograph",
-        "inspect",
-        "report",
-        None,
-        "close",
-        "quit",
-    ],
-    "&Edit": [
-        "undo",
-        "redo",
-        None,
-        "paste_picture",
-        None,
-        "copy_plot",
-        "save_plot",
-        None,
-        "preferences",
-    ],
-    "&Design": [
-        *TOOLS,
-        None,
-        "mark_region",
-        None,
-        "picture_aspect",
-        "second_face",
-        "other_face",
-        None,
-        "brush_larger",
-        "brush_smaller",
-        None,
-        *LOCKS,
-        None,
-        "check",
-    ],
-    "&Run": [
-        *_RUN,
-        None,
-        "follow",
-        "sweep",
-        None,
-        "save_video",
-        "restore_run",
-        "compare_runs",
-        "delete_run",
-    ],
-    "&View": [
-        "fit_view",
-        *(f"{view}_view" for view in VIEWS),
-        None,
-        "exploded",
-        "perspective",
-        ("&Rays", [*RAYS, None, *RAYS_BY]),
-        ("F&aces", [*FACES_BY, None, "relief"]),
-        "save_scene",
-        "copy_scene",
-        ("&Colours of light", list(COLOURS)),
-        None,
+        "| save save_as revert | export plan cut report photograph inspect | close quit",
+    ),
+    "&Edit": _listed("undo redo | paste_picture | copy_plot save_plot | preferences"),
+    "&Design": _listed(
+        f"{_TOOLS} | mark_region | picture_aspect second_face other_face |",
+        f"brush_larger brush_smaller | {_LOCKS} | check",
+    ),
+    "&Run": _listed(f"{_RUN} | follow sweep | save_video restore_run compare_runs delete_run"),
+    "&View": _listed(
+        f"fit_view {_VIEWS} | exploded perspective",
+        ("&Rays", [*CHOICES["rays"], None, *CHOICES["by_weight"]]),
+        ("F&aces", [*CHOICES["faces"], None, "relief"]),
+        "save_scene copy_scene",
+        ("&Colours of light", [*CHOICES["colours"]]),
+        "|",
         ("&Workspace", ["workspace_start", *WORKSPACE_CHOICES]),
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
         ("Lay&outs", ["save_layout", "delete_layout", None]),
-        "reset_layout",
-        None,
-    ],
-    "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
+        "reset_layout |",
+    ),
+    "&Help": _listed("tour manual shortcuts palette | about"),
 }
-SCENE_MENU = [
-    "fit_view",
-    "lens_view",
-    "screen_view",
-    None,
-    *("&Rays", "F&aces"),
-    *("exploded", "perspective"),
-    None,
-    *TOOLS,
-    None,
-    "copy_scene",
-]
+SCENE_MENU = _listed(
+    "fit_view lens_view screen_view | &Rays F&aces exploded perspective |",
+    f"{_TOOLS} | copy_scene",
+)
 """Names, separators and menus of the 3D view."""
-_FILES, _STEPS = ["new", "open", "save", "export"], ["undo", "redo"]
-_LOOKS = ["mark_region", "fit_view"]
-TOOLBAR = [_FILES, _STEPS, [*_RUN, "follow"], list(TOOLS), _LOOKS]
+_FILES, _STEPS, _LOOKS = "new open save export", "undo redo", "mark_region fit_view"
+TOOLBAR = [*map(str.split, (_FILES, _STEPS, f"{_RUN} follow", _TOOLS, _LOOKS))]
 """Groups of the toolbar."""
-NAMED_FIRST = [_RUN, ["follow"], list(TOOLS), _LOOKS, _FILES, _STEPS]
+NAMED_FIRST = [*map(str.split, (_RUN, "follow", _TOOLS, _LOOKS, _FILES, _STEPS))]
 """Groups whose names stand beside their icons, as many as the width holds."""
-CHOICES = [
-    list(RAYS),
-    list(RAYS_BY),
-    list(FACES_BY),
-    list(COLOURS),
-    list(TOOLS),
-    ["workspace_start", *WORKSPACE_CHOICES],
-]
-"""Groups of commands of which one is on."""
-LOOK = ["exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
+_ONE_OF = [*map(list, CHOICES.values()), list(TOOLS), ["workspace_start", *WORKSPACE_CHOICES]]
+LOOK = ["exploded", "perspective", "relief", *(name for of in CHOICES.values() for name in of)]
 """Those whose state is part of how a design is looked at, and travels with it."""
 
 
@@ -155,7 +90,7 @@ class Commands:
         self._called = "lens"
         self._actions = {name: self._action(self.command(name)) for name in COMMANDS}
         self._connected: set[str] = set()
-        for names in CHOICES:
+        for names in _ONE_OF:
             one_of = QActionGroup(window)
             for name in names:
                 one_of.addAction(self[name])
@@ -174,7 +109,7 @@ class Commands:
                 self.scene_menu.addMenu(self.menus[each])
             else:
                 self.scene_menu.addAction(self[each])
-        for name in _STEPS:  # without the step itself, whose name may be long
+        for name in _STEPS.split():  # without the step itself, whose name may be long
             self[name].setIconText(self[name].iconText())
         groups, named = (
             [[self[name] for name in group] for group in which] for which in (TOOLBAR, NAMED_FIRST)
@@ -213,7 +148,7 @@ class Commands:
         self._open(slots.keys())
 
     def connect_choices(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Connect each of `CHOICES` to a function, and call the functions of checked commands."""
+        """Connect each choice to a function, and call the functions of checked commands."""
         for name, slot in slots.items():
             self[name].toggled.connect(lambda on, slot=slot: slot() if on else None)
             if self[name].isChecked():
@@ -310,7 +245,7 @@ _COLOURS_KEY = "view/colours"
 def keep_colours(settings: QSettings, commands: Commands) -> None:
     """Restore the stored colours of light, and store choices of the user, not those of a design."""
     kept = settings.value(_COLOURS_KEY)
-    for command, name in COLOURS.items():
+    for command, name in CHOICES["colours"].items():
         if name == kept:
             commands[command].setChecked(True)
         commands[command].triggered.connect(

@@ -1,7 +1,6 @@
 """Table of all commands; menus, toolbar and palette refer to it."""
 
 from dataclasses import dataclass, replace
-from typing import Literal
 
 from PySide6.QtGui import QKeySequence
 
@@ -33,9 +32,7 @@ _Key = QKeySequence.StandardKey
 VIEWS = ("lens", "screen", "side", "top", "axis")
 """Where the 3D scene can be looked at from, each with a command; see `FittedCamera.fit`."""
 
-RAYS = {f"rays_{rays}": rays for rays in (0, 5, 9, 15, 45)}
-"""Commands for the number of rays in the 3D scene, along each axis."""
-_FIRST_RAYS = 9
+_RAYS, _FIRST_RAYS = (0, 5, 9, 15, 45), 9  # along each axis of the 3D scene
 
 _COLOURS = {
     "colours_by_target": ("By &target", ""),
@@ -44,8 +41,18 @@ _COLOURS = {
     "colours_viridis": ("Viridis", "viridis"),
     "colours_cividis": ("Cividis", "cividis"),
 }
-COLOURS = {command: name for command, (_, name) in _COLOURS.items()}
-"""Commands for the colours in which light is shown; see `workbench.pictures.axes.UNSIGNED`."""
+CHOICES: dict[str, dict[str, object]] = {
+    "rays": {f"rays_{rays}": rays for rays in _RAYS},
+    "by_weight": {"rays_by_outcome": False, "rays_by_weight": True},
+    "faces": {
+        "faces_material": "material",
+        "faces_by_height": "height",
+        "faces_by_curvature": "curvature",
+        "faces_by_limits": "limits",
+    },
+    "colours": {command: name for command, (_, name) in _COLOURS.items()},
+}
+"""Commands of which one is on with its value, by the options of `ui.views.shared_view`."""
 
 WORKSPACE_CHOICES = {f"workspace_{name}": name for name in (*WORKSPACES, "custom")}
 """Commands for what the window shows; see `ui.window.workspaces`."""
@@ -55,17 +62,6 @@ TOOLS = ("turn", "sculpt", "lock", "move_source", "measure")
 
 LOCKS = ("lock_all", "unlock_all", "invert_locks")
 """Commands for all locks at once."""
-
-RAYS_BY = {"rays_by_outcome": False, "rays_by_weight": True}
-"""Commands for the colours of rays: whether by their weight."""
-
-FACES_BY: dict[str, Literal["material", "height", "curvature", "limits"]] = {
-    "faces_material": "material",
-    "faces_by_height": "height",
-    "faces_by_curvature": "curvature",
-    "faces_by_limits": "limits",
-}
-"""Commands for the colours of freeform faces in the 3D scene."""
 
 COMMANDS = {
     "new": Command("&New…", "Begin a design on the start page", _Key.New, "new"),
@@ -162,12 +158,12 @@ COMMANDS = {
         checked=False,
     ),
     **{
-        name: Command(
+        f"rays_{rays}": Command(
             f"{rays * rays} rays" if rays else "No rays",
             "Rays in the 3D scene",
             checked=rays == _FIRST_RAYS,
         )
-        for name, rays in RAYS.items()
+        for rays in _RAYS
     },
     **{
         command: Command(

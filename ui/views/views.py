@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
-from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
+from ui.commands.table import CHOICES, VIEWS
 from ui.document.document import Document
 from ui.document.shown_lens import FrameHistory, ShownLens
 from ui.views.derivative_view import DerivativeView
@@ -72,15 +72,9 @@ class Views(QObject):
         }
 
     def choices(self) -> dict[str, Callable[[], object]]:
-        groups: dict[str, Mapping[str, object]] = {
-            "rays": RAYS,
-            "by_weight": RAYS_BY,
-            "faces": FACES_BY,
-            "colours": COLOURS,
-        }
         return {
             command: self.shared.with_value(option, value)
-            for option, commands in groups.items()
+            for option, commands in CHOICES.items()
             for command, value in commands.items()
         }
 
