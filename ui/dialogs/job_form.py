@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel, QVBoxLayout
 
 from ui.panels.edits import Edit, put
-from ui.panels.entries import RowEntries
+from ui.panels.entries import RowForm
 from ui.panels.images import of_image
 from ui.panels.rows import Make, Rows, connect_asked, file_rows
+from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
@@ -20,62 +21,37 @@ from workbench.scene.part import summary_of, title_of
 _LATER = {*Finish.model_fields, *LEVELS, "tone", "turn", "crop"} - {"viewed_from"}
 
 
-class JobForm(QScrollArea):
+class JobForm(RowForm):
     """Form of a job."""
 
-    changed = Signal()
     image_asked = Signal()
     light_asked = Signal()
 
     def __init__(self, job: Job) -> None:
-        super().__init__()
         self.job = job
-        page = QWidget()
-        column = QVBoxLayout(page)
-        heading = QLabel(tr(title_of(type(job))))
-        heading.setObjectName("title")
-        about = WrappedLabel(tr(summary_of(type(job))))
-        column.addWidget(heading)
-        column.addWidget(about)
-        form = QFormLayout()
-        form.setVerticalSpacing(5)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
-        column.addLayout(form)
-        column.addStretch()
         own: dict[str, Make] = dict.fromkeys(_LATER, lambda field, path: [])
         makers = Rows(
             lambda: self.job.scene(),
             own | {"image": file_rows, "file": file_rows},
             place="images[0].",
         )
-        self.rows = [
-            row for field in job.fields() if field.tip for row in makers.of_field(field, field.name)
-        ]
+        fields = [field for field in job.fields() if field.tip]
+        super().__init__(
+            (row for field in fields for row in makers.of_field(field, field.name)),
+            lambda: self.job,
+            self._answer,
+        )
         for row in self.rows:
-            form.addRow(row.label, row)
             asked = self.light_asked if row.path == "file" else self.image_asked
             connect_asked([row], asked.emit)
-        self._entries = RowEntries(
-            self.rows, lambda: self.job, self._answer, self, form.setRowVisible
-        )
-        self._entries.changed.connect(self.changed)
-        self.setWidget(page)
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.show_job()
-
-    @property
-    def refused(self) -> bool:
-        return self._entries.refused
-
-    def commit(self) -> None:
-        self._entries.commit()
+        heading = QLabel(tr(title_of(type(job))), objectName="title")
+        about = WrappedLabel(tr(summary_of(type(job))))
+        filled(QVBoxLayout(self), heading, about, self.in_columns(), STRETCH)
+        self.show_rows()
 
     def choose_image(self, path: Path) -> None:
         """Use a picture file as target, with an image size of its aspect."""
-        self._entries.edit(self._edit_for(path))
+        self.edit(self._edit_for(path))
 
     def _edit_for(self, path: Path) -> Edit:
         before = getattr(self.job, "target", Finish())
@@ -99,7 +75,7 @@ class JobForm(QScrollArea):
         return [larger, shorter] if aspect > 1 else [shorter, larger]
 
     def choose_light(self, path: Path) -> None:
-        self._entries.edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
+        self.edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
 
     def _answer(self, edits: list[Edit]) -> None:
         """Apply edits; a typed file name of a picture is chosen."""
@@ -108,6 +84,3 @@ class JobForm(QScrollArea):
             typed = edit.changes.get("target.image")
             put(self._edit_for(Path(str(typed))) if typed else edit, data)
         self.job = self.job.with_answers(data)
-
-    def show_job(self) -> None:
-        self._entries.show()

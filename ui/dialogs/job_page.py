@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from ui.background import Background
 from ui.dialogs.drawing import SideDrawing
@@ -18,7 +18,7 @@ from ui.files.dialogs import FileDialogs
 from ui.panels.editors import Refusal
 from ui.panels.images import image_files
 from ui.panels.scene import light_files
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -49,7 +49,8 @@ class JobPage(QWidget):
         self._background = Background(later("estimate"), self)
         self._drawing, self._estimate = SideDrawing(), EstimateView()
         self.form: JobForm  # of the job that is shown
-        self._form = QVBoxLayout()
+        self._form = scrolled(QWidget())
+        self._form.setFixedWidth(_FORM_WIDE)
         self._back, self._begin = QPushButton(tr("B&ack")), QPushButton(tr("&Begin"))
         self._begin.setObjectName("primary")
         for button in (self._back, self._begin):
@@ -60,11 +61,8 @@ class JobPage(QWidget):
         self._background.failed.connect(self._refuse)
         aside = QWidget()
         filled(QVBoxLayout(aside), (self._drawing, 1), self._estimate, margins=0)
-        scrolled = QScrollArea()
-        scrolled.setWidget(aside)
-        scrolled.setWidgetResizable(True)
-        scrolled.setFrameShape(QFrame.Shape.NoFrame)
-        parts = filled(QHBoxLayout(), self._form, (scrolled, 1), spacing=24)
+        aside_scrolled = scrolled(aside, across=True)
+        parts = filled(QHBoxLayout(), self._form, (aside_scrolled, 1), spacing=24)
         buttons = filled(QHBoxLayout(), self._back, STRETCH, self._begin)
         filled(QVBoxLayout(self), (parts, 1), self._refusal, buttons, margins=24, spacing=12)
 
@@ -73,15 +71,11 @@ class JobPage(QWidget):
         job = kind()
         with suppress(Refused, ValueError, TypeError):
             job = job.with_answers(json.loads(str(self._settings.value(_key(kind)))))
-        for before in self.findChildren(JobForm):
-            before.hide()
-            before.deleteLater()
         self.form = JobForm(job)
-        self.form.setFixedWidth(_FORM_WIDE)
         self.form.changed.connect(self._update)
         self.form.image_asked.connect(self._choose_image)
         self.form.light_asked.connect(self._choose_light)
-        self._form.addWidget(self.form)
+        self._form.setWidget(self.form)
         QWidget.setTabOrder(self.form, self._back)
         self.form.rows[0].label.buddy().setFocus() if self.form.rows else self._begin.setFocus()
         self._update()
@@ -165,7 +159,7 @@ class JobPage(QWidget):
         if path is not None:
             self.form.choose_image(path)
         else:
-            self.form.show_job()
+            self.form.show_rows()
 
     def _choose_light(self) -> None:
         path = self._dialogs.to_open("light", tr("File of light"), light_files())

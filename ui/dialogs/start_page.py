@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -24,7 +23,7 @@ from ui.files.actions import FileActions, RecentFiles
 from ui.files.dialogs import FileDialogs
 from ui.panels.images import image_files
 from ui.widgets import theme
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.tiles import Shape, Tile, Tiles
 from ui.words import tr
@@ -88,12 +87,8 @@ class StartPage(QStackedWidget):
             spacing=8,
         )
         page.setMaximumWidth(_WIDEST)
-        self._page, self._scrolled = page, QScrollArea()
-        self._scrolled.setWidget(page)
-        self._scrolled.setWidgetResizable(True)
+        self._page, self._scrolled = page, scrolled(page)
         self._scrolled.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self._scrolled.setFrameShape(QFrame.Shape.NoFrame)
-        self._scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         for tiles in (self.recent, self.jobs, self.examples):
             tiles.come_to.connect(partial(self._scroll_to, tiles))

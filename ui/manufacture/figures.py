@@ -4,13 +4,13 @@ import math
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QObject, QSettings, Qt, Signal
+from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from ui.manufacture.option_fields import keep_options, kept_options, option_row
 from ui.panels.editors import NumberEditor
 from ui.panels.edits import Edit
-from ui.panels.entries import RowEntries, edited_data
+from ui.panels.entries import RowForm, edited_data
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
@@ -27,22 +27,21 @@ from workbench.scene import Scene
 _HINT = later("Empty: the limit of the design task. Stored for the next start.")
 
 
-class LimitFields(QObject):
+class LimitFields(RowForm):
     """A field for each limit; an empty field means the limit of the design."""
 
-    changed = Signal(object)  # Limits
+    limits_changed = Signal(object)  # Limits
 
-    def __init__(self, settings: QSettings, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, settings: QSettings) -> None:
+        rows = [option_row(name, about, None) for name, about in Limits.about()]
+        super().__init__(rows, self._data, self._enter)
         self._settings = settings
         self._unit, self._own, self._kept = "", Limits(), Limits()
-        self.rows = {name: option_row(name, about, None) for name, about in Limits.about()}
         for name, about in Limits.about():
-            self.rows[name].explain(f"{tr(about.tip)}. {tr(_HINT)}")
+            self.row(name).explain(f"{tr(about.tip)}. {tr(_HINT)}")
             named = tr("Limit: {label}").format(label=tr(about.title))
             self._editor(name).setAccessibleName(named)
-        self._entries = RowEntries(list(self.rows.values()), self._data, self._enter, self)
-        self._entries.changed.connect(self._show)
+        self.changed.connect(self._show)
 
     @property
     def limits(self) -> Limits:
@@ -52,23 +51,22 @@ class LimitFields(QObject):
     def show_scene(self, scene: Scene) -> None:
         if self._unit != scene.unit:
             self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
-            self._entries.forget()
+            self.forget()
         self._own = Limits(
             min_thickness=scene.optic.least_thickness or None,
             min_radius=scene.run.min_radius,
             min_tool_radius=scene.run.min_tool_radius,
         )
-        self._entries.show()
-        self._show()
+        self._show_change()
 
     def _show(self) -> None:
         for name, value in asdict(self._own).items():
             text = tr("none") if value is None else format(value, "g")
             self._editor(name).setPlaceholderText(text)
-        self.changed.emit(self.limits)
+        self.limits_changed.emit(self.limits)
 
     def _editor(self, name: str) -> NumberEditor:
-        return self.rows[name].findChildren(NumberEditor)[0]
+        return self.row(name).findChildren(NumberEditor)[0]
 
     def _data(self) -> dict[str, Any]:
         return {"unit": self._unit, **asdict(self._kept)}
@@ -127,14 +125,13 @@ _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thickn
 _NAME, _FOUND, _SIGN, _LIMIT = range(4)
 
 
-class ManufactureFigures(QWidget):
-    """A table of figures and limits, with each verdict below its figure."""
+class ManufactureFigures(LimitFields):
+    """A table of figures beside their limits, with each verdict below its figure."""
 
-    def __init__(self, fields: LimitFields) -> None:
-        super().__init__()
-        self._fields = fields
+    def __init__(self, settings: QSettings) -> None:
+        super().__init__(settings)
         self._found: Manufacture | None = None
-        self._unit = ""
+        self._found_unit = ""
         self._grid = grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setHorizontalSpacing(8)
@@ -149,7 +146,7 @@ class ManufactureFigures(QWidget):
         self._of_entrance: list[QWidget] = []  # made when a lens has one that is freeform
         for row, (key, line) in enumerate(_LINES.items(), 1):
             if line.field:  # one radius for hollows and humps
-                field = fields.rows[line.field]
+                field = self.row(line.field)
                 rows = 2 if line.field == "min_radius" else 1
                 grid.addWidget(field, row, _LIMIT, rows, 1)
                 self._add(row, key, field.label)
@@ -163,10 +160,10 @@ class ManufactureFigures(QWidget):
         self.note = WrappedLabel()
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
         grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
-        fields.changed.connect(self._judge)
+        self.limits_changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:
-        self._found, self._unit = found, unit
+        self._found, self._found_unit = found, unit
         for key in ("thinnest", "thickest"):
             self._show_extreme(key, getattr(found, key))
         self._show_face(found, "", found.thickest.value)
@@ -177,14 +174,14 @@ class ManufactureFigures(QWidget):
         for part in self._of_entrance:
             part.setVisible(found.entrance is not None)
         self.show_remark("")
-        self._judge(self._fields.limits)
+        self._judge(self.limits)
 
     def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
         for key in ("steepest", "tightest_concave", "tightest_convex", "tool_radius"):
             self._show_extreme(f"{face}{key}", getattr(found, key))
         flat = found.sag_range < _ROUNDING * thickness
         self.found[f"{face}sag_range"].setText(
-            written(0.0 if flat else found.sag_range, self._unit)
+            written(0.0 if flat else found.sag_range, self._found_unit)
         )
         self.found[f"{face}draft"].setText(written(found.draft, "°"))
 
@@ -266,7 +263,7 @@ class ManufactureFigures(QWidget):
             return tr("none")
         if key.endswith("steepest"):
             return written(0.0 if value < _ROUNDING else value, "°")
-        return written(value, self._unit)
+        return written(value, self._found_unit)
 
     def _where(self, key: str, extreme: Extreme) -> str:
         if math.isinf(extreme.value):
@@ -274,7 +271,7 @@ class ManufactureFigures(QWidget):
         x, y = extreme.place
         bound = self._in_words(key, extreme.bound)
         return tr("At x = {x}, y = {y}. Proved bound: {bound}.").format(
-            x=written(x, self._unit), y=written(y, self._unit), bound=bound
+            x=written(x, self._found_unit), y=written(y, self._found_unit), bound=bound
         )
 
 

@@ -6,18 +6,16 @@ from dataclasses import asdict
 from typing import Any, Generic, Literal, TypeVar
 
 from annotated_types import Ge, Le
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QFormLayout,
-    QHBoxLayout,
     QVBoxLayout,
     QWidget,
 )
 
 from ui.panels.edits import Edit
-from ui.panels.entries import RowEntries, edited_data
+from ui.panels.entries import RowForm, edited_data
 from ui.panels.fields import Row, described
 from ui.panels.rows import value_row
 from ui.widgets.controls import filled
@@ -33,35 +31,19 @@ _MEASURES = {LENGTH: OF_SCENE, DEGREES: ANGLE, PERCENT: Measure("%", "percent")}
 _COLUMN, _LETTERS = 12, 46  # rows of a column, and letters across it
 
 
-class OptionFields(QWidget, Generic[Group]):
+class OptionFields(RowForm, Generic[Group]):
     """A field for each option of a group."""
 
-    changed = Signal()
-
     def __init__(self, unit: str, begin_with: Group) -> None:
-        super().__init__()
         self._group, self._usual = type(begin_with), type(begin_with)()
         self._data = {"unit": unit, **asdict(begin_with)}
-        self.rows = {row.path: row for row in self._made()}
-        columns = QHBoxLayout(self)
-        columns.setContentsMargins(0, 0, 0, 0)
-        columns.setSpacing(24)
-        for number, row in enumerate(self.rows.values()):
-            if number % _COLUMN == 0:
-                form = QFormLayout()
-                form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-                columns.addLayout(form, 1)
-            form.addRow(row.label, row)
+        super().__init__(self._made(), lambda: self._data, self._enter)
+        for row in self.rows:
             row.reserve_unit(FEED)
-        rows = list(self.rows.values())
-        self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth() * columns.count())
-        self._entries = RowEntries(rows, lambda: self._data, self._enter, self)
-        self._entries.changed.connect(self.changed)
-        self._entries.show()
-
-    @property
-    def refused(self) -> bool:
-        return self._entries.refused
+        self.setLayout(self.in_columns(_COLUMN))
+        letters = _LETTERS * self.fontMetrics().averageCharWidth()
+        self.setMinimumWidth(letters * self.layout().count())
+        self.show_rows()
 
     @property
     def options(self) -> Group:
@@ -69,7 +51,7 @@ class OptionFields(QWidget, Generic[Group]):
 
     def enter(self, **values: object) -> None:
         name = next(iter(values))
-        self._entries.edit(Edit(name, name, values))
+        self.edit(Edit(name, name, values))
 
     def _enter(self, edits: list[Edit]) -> None:
         data = edited_data(self._data, edits)

@@ -11,7 +11,7 @@ from PySide6.QtGui import QAction
 
 from ui.background import Background, Task
 from ui.document.frame import Frame, same_light
-from ui.manufacture.figures import LimitFields, ManufactureFigures
+from ui.manufacture.figures import ManufactureFigures
 from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView
 from ui.widgets.controls import SideBySide, command_button
@@ -104,20 +104,20 @@ class ManufacturePane(ComputingView):
 
     def __init__(self, settings: QSettings, commands: Sequence[QAction]) -> None:
         super().__init__()
-        self.map, self._fields = FaceMap(), LimitFields(settings, self)
-        self._figures = figures = ManufactureFigures(self._fields)
+        self.map, self._figures = FaceMap(), ManufactureFigures(settings)
+        figures = self._figures
         self._box.addWidget(SideBySide(self.map, figures, [command_button(c) for c in commands]))
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
         self.background = Background(later("analysis of the face"), self)
         self.background.done.connect(self._store_found)
         self.background.failed.connect(figures.show_remark)
-        self._fields.changed.connect(self.map.show_limits)
-        self._fields.changed.connect(self.limits_changed)
+        figures.limits_changed.connect(self.map.show_limits)
+        figures.limits_changed.connect(self.limits_changed)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
     def show_design(self, session: Session) -> None:
-        self._fields.show_scene(session.scene)
+        self._figures.show_scene(session.scene)
         self.map.show_design(session)
         super().show_design(session)
 

@@ -1,48 +1,55 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QPushButton
 
 from ui.panels.edits import Edit
-from ui.panels.entries import RowEntries, edited_data
-from ui.panels.fields import NumberRow, described
+from ui.panels.entries import RowForm, edited_data
+from ui.panels.fields import NumberRow, Row, described
 from ui.words import error_text, later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
-from workbench.messages import Message
+from workbench.option_groups import Option
 from workbench.scene import LENGTH, Measure, Scene
 from workbench.scene.fields import ANGLE, Between
 from workbench.units import ratio, times
 
 _MEASURES = {"": Measure(), "degrees": ANGLE, "length": LENGTH}
-_MOST = 100_000  # lenses
+_COUNTS = {
+    "lenses": Option(
+        later("Lenses"),
+        later("Number of traced lenses; more lenses give better percentiles"),
+        kind=int,
+        least=1,
+        most=100_000,
+    ),
+    "seed": Option(
+        later("Seed"), later("The same seed gives the same lenses"), kind=int, most=2**53
+    ),
+}
 # Of the lens, to begin with.
 _DECENTRE, _SCALE = 0.005, 0.1
 
 
-class ToleranceForm(QWidget):
+class ToleranceForm(RowForm):
     """Tolerances, number of lenses and seed, with refusals beside the fields."""
 
     toggled = Signal()
     save_asked = Signal()
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__(self._made(), self._whole, self._enter)
         self.obstacle = ""
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
-        self._rows = _make_rows(self._is_there)
-        self._entries = RowEntries(self._rows, self._whole, self._enter, self)
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
-        lines = list(_lines(self._rows))
+        lines = list(_lines(self.rows))
         for line, rows in enumerate(lines):
             for number, row in enumerate(rows):
                 grid.addWidget(row.label, line, 2 * number)
@@ -92,17 +99,17 @@ class ToleranceForm(QWidget):
             scene.source,
             scene.receiver,
         ):
-            self._entries.forget()  # what was refused may be possible now
-        for row in self._rows:
+            self.forget()  # what was refused may be possible now
+        for row in self.rows:
             if row.path in ABOUT:
                 row.explain(tr(ABOUT[row.path].tip, optic=scene.optic.called))
-        self._entries.show()
+        self.show_rows()
 
     def accepted(self) -> bool:
         """Whether all entries are possible; `obstacle` is the reason that no row shows."""
-        self._entries.commit()
+        self.commit()
         self.obstacle = ""
-        if self._entries.refused:
+        if self.refused:
             return False
         try:
             self._check(self._data)
@@ -111,7 +118,7 @@ class ToleranceForm(QWidget):
         return not self.obstacle
 
     def _convert(self, factor: Fraction) -> None:
-        for row in self._rows:
+        for row in self.rows:
             if row.measure.power:
                 value = self._data[row.path]
                 self._data[row.path] = (
@@ -133,12 +140,8 @@ class ToleranceForm(QWidget):
     def _check(self, data: dict[str, Any]) -> None:
         """Raise `Refused` with the path of a value that is not possible."""
         assert self._scene is not None  # there is one before anything is typed
-        for path, value in data.items():
-            for each in value if isinstance(value, list) else [value]:
-                if not _sound(path, each):
-                    raise Refused(
-                        path, Message("{value}; {allowed}", value=each, allowed=_allowed(path))
-                    )
+        for name, about in _COUNTS.items():
+            about.check(name, data[name])
         self._possible(data).check(self._scene)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
@@ -149,45 +152,19 @@ class ToleranceForm(QWidget):
     def _is_there(self, name: str) -> bool:
         return self._scene is not None and not ABOUT[name].absent(self._scene)
 
-    def _row(self, path: str) -> NumberRow:
-        return next(row for row in self._rows if row.concerns(path))
+    def _made(self) -> Iterator[NumberRow]:
+        for name, about in ABOUT.items():
+            kind = tuple[float, float] if name in PAIRS else float
+            marks = _MEASURES[about.unit], Between(later("over"))
+            tip = tr(about.tip, optic="lens")
+            row = NumberRow(described(tr(about.title), tip, kind, *marks), name)
+            row.only_if(lambda _, name=name: self._is_there(name))  # type: ignore[misc]
+            yield row
+        for name, count in _COUNTS.items():
+            yield NumberRow(described(tr(count.title), tr(count.tip), int), name)
 
 
-def _sound(path: str, value: float) -> bool:
-    return 1 <= value <= _MOST if path == "lenses" else 0 <= value < math.inf
-
-
-def _allowed(path: str) -> Message:
-    if path == "lenses":
-        return Message("a whole number from 1 to {most} is needed", most=_MOST)
-    if path == "seed":
-        return Message("a whole number from 0 is needed")
-    return Message("a finite number from 0 is needed")
-
-
-def _make_rows(is_there: Callable[[str], bool]) -> tuple[NumberRow, ...]:
-    rows = []
-    for name, about in ABOUT.items():
-        kind = tuple[float, float] if name in PAIRS else float
-        marks = _MEASURES[about.unit], Between(later("over"))
-        tip = tr(about.tip, optic="lens")
-        row = NumberRow(described(tr(about.title), tip, kind, *marks), name)
-        row.only_if(partial(_applies, is_there, name))
-        rows.append(row)
-    lenses = tr("Number of traced lenses; more lenses give better percentiles")
-    seed = tr("The same seed gives the same lenses")
-    return (
-        *rows,
-        NumberRow(described(tr("Lenses"), lenses, int), "lenses"),
-        NumberRow(described(tr("Seed"), seed, int), "seed"),
-    )
-
-
-def _applies(is_there: Callable[[str], bool], name: str, _: object) -> bool:
-    return is_there(name)
-
-
-def _lines(rows: Sequence[NumberRow]) -> Iterator[Sequence[NumberRow]]:
+def _lines(rows: Sequence[Row]) -> Iterator[Sequence[Row]]:
     single = [row for row in rows if row.path not in PAIRS]
     *errors, last = zip(single[::2], single[1::2], strict=True)
     yield from errors

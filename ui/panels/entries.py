@@ -5,10 +5,12 @@ from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
 
 from ui.panels.edits import Edit, put
 from ui.panels.fields import Row
+from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.messages import Message
@@ -34,14 +36,17 @@ class Entries:
         self.waiting: dict[str, Waiting] = {}
 
     def make(self, edit: Edit) -> Refused | None:
-        """Make an edit with refused ones, which may be possible now; or else alone."""
+        """Make an edit with refused ones, which may be possible now, or alone; or keep it."""
         self.waiting.pop(edit.path, None)
         others = [waiting.edit for waiting in self.waiting.values()]
         refused = self._refusal([*others, edit])
         if refused is None:
             self.waiting.clear()
             return None
-        return self._refusal([edit]) if others else refused
+        refused = self._refusal([edit]) if others else refused
+        if refused is not None and edit.waits and not edit.drag:
+            self.waiting[edit.path] = Waiting(edit, refused)
+        return refused
 
     def reasons(self, present: Sequence[Row]) -> dict[Row, str]:
         """Return why entries are refused, for the rows of edits and those that are to blame."""
@@ -84,35 +89,39 @@ def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
     return edited
 
 
-def set_visible(row: Row, visible: bool) -> None:
-    """Show or hide a row with its label."""
-    row.setVisible(visible)
-    row.label.setVisible(visible)
+_MOST = 100  # rows of a column
 
 
-class RowEntries(QObject):
-    """The rows of a form that edit one whole, such as a job or plain data."""
+class RowForm(QWidget):
+    """Rows that edit one whole, such as a job or plain data."""
 
     changed = Signal()
 
-    def __init__(
-        self,
-        rows: Sequence[Row],
-        whole: Callable[[], Any],
-        attempt: Attempt,
-        parent: QObject,
-        show: Callable[[Row, bool], object] = set_visible,
-    ) -> None:
-        super().__init__(parent)
-        self.rows, self._whole, self._show_row = rows, whole, show
+    def __init__(self, rows: Iterable[Row], whole: Callable[[], Any], attempt: Attempt) -> None:
+        super().__init__()
+        self.rows, self._whole = [*rows], whole
         self._entries = Entries(attempt)
-        for row in rows:
+        for row in self.rows:
             row.edited.connect(self.edit)
             row.reverted.connect(self._revert)
+
+    def in_columns(self, most: int = _MOST) -> QHBoxLayout:
+        """Return a layout with the rows below each other, in columns of at most so many."""
+        columns = filled(QHBoxLayout(), margins=0, spacing=24)
+        for number, row in enumerate(self.rows):
+            if number % most == 0:
+                form = QFormLayout()
+                form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+                columns.addLayout(form, 1)
+            form.addRow(row.label, row)
+        return columns
 
     @property
     def refused(self) -> bool:
         return bool(self._entries.waiting)
+
+    def row(self, path: str) -> Row:
+        return next(row for row in self.rows if row.concerns(path))
 
     def commit(self) -> None:
         for row in self.rows:
@@ -120,16 +129,13 @@ class RowEntries(QObject):
 
     def edit(self, edit: Edit) -> None:
         """Make an edit, or keep it waiting if it is refused."""
-        refused = self._entries.make(edit)
-        if refused is not None and not edit.drag:
-            self._entries.waiting[edit.path] = Waiting(edit, refused)
-        self.show()
-        self.changed.emit()
+        self._entries.make(edit)
+        self._show_change()
 
     def forget(self) -> None:
         self._entries.waiting.clear()
 
-    def show(self) -> None:
+    def show_rows(self) -> None:
         """Show the whole, and refused entries as typed."""
         whole = self._whole()
         present = [row for row in self.rows if row.present(whole)]
@@ -139,10 +145,14 @@ class RowEntries(QObject):
                 row.show_scene(whole, self._entries.waiting.keys())
             else:
                 row.forget()
-            self._show_row(row, row in present)
+            for part in (row, row.label):
+                part.setVisible(row in present)
             row.refuse(reasons.get(row, ""))
+
+    def _show_change(self) -> None:
+        self.show_rows()
+        self.changed.emit()
 
     def _revert(self, path: str) -> None:
         self._entries.waiting.pop(path, None)
-        self.show()
-        self.changed.emit()
+        self._show_change()

@@ -204,21 +204,15 @@ class Forms(FormArea):
         if edit.drag and self._running:
             return
         refused = self._entries.make(edit)
-        if refused is not None and not edit.drag:
-            self._refuse(edit, refused)
-        self._show()
-        if refused is not None and edit.path in self._pending:
-            self.message.emit(tr("Refused: {refused}").format(refused=self.refusals[-1]))
-
-    def _refuse(self, edit: Edit, refused: Refused) -> None:
-        if edit.waits:
-            self._pending[edit.path] = Waiting(edit, refused)
-        else:
+        if refused is not None and not (edit.waits or edit.drag):
             self.file_refused.emit(
                 tr("The {edit} is refused: {refused}").format(
                     edit=edit.text, refused=error_text(refused)
                 )
             )
+        self._show()
+        if refused is not None and edit.path in self._pending:
+            self.message.emit(tr("Refused: {refused}").format(refused=self.refusals[-1]))
 
     def _make(self, edits: list[Edit]) -> None:
         self._editing = True

@@ -16,10 +16,9 @@ from PySide6.QtWidgets import (
 
 from ui.panels.crop import WHOLE, CropView
 from ui.panels.edits import Edit, edited_scene
-from ui.panels.entries import RowEntries
+from ui.panels.entries import RowForm
 from ui.panels.rows import Rows
 from ui.widgets.controls import filled
-from ui.widgets.folds import form_in
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.scene import LEVELS, ImageTarget, Scene
@@ -141,7 +140,7 @@ class PictureDialog(QDialog):
         shape = max(round(scale * rows), 1), max(round(scale * columns), 1)
         self._light = averaged(picture.light, shape)
         self.view, self.histogram = CropView(self.target.crop), Histogram()
-        self._figures, form = QLabel(), QWidget()
+        self._figures = QLabel()
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
@@ -157,16 +156,14 @@ class PictureDialog(QDialog):
             for name in ("invert", *LEVELS)
             for row in makers.of_field(fields[name], f"{path}.{name}")
         ]
-        layout = form_in(form)
-        for row in made:
-            layout.addRow(row.label, row)
-        self._entries = RowEntries(made, lambda: self._scene, self._edit, self)
+        self._form = form = RowForm(made, lambda: self._scene, self._edit)
+        form.setLayout(form.in_columns())
         tone = filled(QHBoxLayout(), (self.histogram, 1), form)
         filled(QVBoxLayout(self), (self.view, 1), tone, self._figures, buttons)
         self.view.changed.connect(self._show)
         self.histogram.moved.connect(self._move_level)
-        self._entries.changed.connect(self._show)
-        self._entries.show()
+        form.changed.connect(self._show)
+        form.show_rows()
         self._show()
         self.resize(_SIZE.boundedTo(window.window().size()))
         self.view.setFocus()
@@ -190,10 +187,10 @@ class PictureDialog(QDialog):
 
     def _move_level(self, name: str, value: float) -> None:
         path = f"{self._path}.{name}"
-        self._entries.edit(Edit(path, path, {path: value}, drag=name))
+        self._form.edit(Edit(path, path, {path: value}, drag=name))
 
     def _show(self) -> None:
-        self._ok.setEnabled(not self._entries.refused)
+        self._ok.setEnabled(not self._form.refused)
         crop, target, tone = self.view.crop, self.target, self._picture.tone
         peak = cropped(self._picture.light, crop).max() or 1.0
         values = pixel_values(np.minimum(self._light / peak, 1.0), target, tone)

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -22,7 +21,7 @@ from ui.background import Background, Task
 from ui.commands.actions import Commands
 from ui.document.frame import Frame
 from ui.run.control import RunControl
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.widgets.labels import Veil, WrappedLabel
 from ui.widgets.marks import Mark
 from ui.words import in_sentence, later, tr
@@ -207,11 +206,7 @@ class ResultCards(QWidget):
         self.cards: dict[str, _Card] = {}
         self._inner = QWidget()
         self._column = filled(QVBoxLayout(self._inner), STRETCH, margins=6, spacing=6)
-        area = QScrollArea(widgetResizable=True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(self._inner)
-        filled(QVBoxLayout(self), area, margins=0)
+        filled(QVBoxLayout(self), scrolled(self._inner), margins=0)
         self._veil, self._outdated = Veil(self), False
         findings.found.connect(self._show)
         for name in ("start", "continue", "check"):

@@ -214,6 +214,16 @@ class Table(QTableWidget):
         return action
 
 
+def scrolled(held: QWidget, *, across: bool = False) -> QScrollArea:
+    """Return a frameless area in which a widget scrolls down, and perhaps across."""
+    area = QScrollArea(widgetResizable=True)
+    area.setWidget(held)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    if not across:
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    return area
+
+
 def side_by_side(parts: Sequence[QWidget], shares: Sequence[int], width: int) -> QSplitter:
     """Return a splitter with parts that have these shares, in percent of a width."""
     splitter = QSplitter(Qt.Orientation.Horizontal)

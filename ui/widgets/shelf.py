@@ -10,14 +10,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QPushButton,
-    QScrollArea,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from ui.background import Background, Task
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.widgets.labels import ElidedLabel, WrappedLabel
 from ui.words import tr
 
@@ -103,11 +102,7 @@ class Shelf(QWidget):
         self._none = WrappedLabel(tr("No tasks. Checks, exports, reports and sweeps appear here."))
         self._inner = QWidget()
         self._column = filled(QVBoxLayout(self._inner), self._none, margins=8, spacing=8)
-        self._area = QScrollArea(widgetResizable=True)
-        self._area.setFrameShape(QFrame.Shape.NoFrame)
-        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._area.setWidget(self._inner)
-        filled(QVBoxLayout(self.panel), self._area, margins=1)
+        filled(QVBoxLayout(self.panel), scrolled(self._inner), margins=1)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._show_count)
         self._show_count()

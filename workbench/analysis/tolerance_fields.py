@@ -217,7 +217,8 @@ class Tolerances:
         width = 2 * max(optic.half_width)
         for name in PAIRS:
             amplitude, scale = getattr(self, name)
-            if amplitude > 0 and not FINEST * width <= scale <= width:
+            counts = amplitude > 0 or not 0 <= scale < math.inf
+            if counts and not FINEST * width <= scale <= width:
                 raise Refused(
                     f"{name}[1]",
                     Message(

@@ -81,7 +81,7 @@ def fits(dialog):
 
 def enter(qtbot, fields, name, text):
     """Type into a field; gives its row."""
-    row = fields.rows[name]
+    row = fields.row(name)
     fill(qtbot, row.editors[name], text)
     return row
 
@@ -97,7 +97,7 @@ class TestFields:
             ("dwell", "2.5"),
         ):
             enter(qtbot, fields, name, text)
-        fields.rows["negative"].box.click()
+        fields.row("negative").box.click()
         assert fields.options == Cutting(
             tool_radius=0.15,
             scallop=0.002,
@@ -113,7 +113,7 @@ class TestFields:
             enter(qtbot, fields, name, "7")
             enter(qtbot, fields, name, "")
         assert fields.options == PLAIN
-        placeholders = [fields.rows[n].editors[n].placeholderText() for n in ("scallop", "feed")]
+        placeholders = [fields.row(n).editors[n].placeholderText() for n in ("scallop", "feed")]
         assert placeholders == ["automatic", "600"]
 
     def test_impossible_input_is_refused_with_what_is_allowed(self, fields, qtbot):
@@ -147,7 +147,7 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     dialog.fit.click()
     qtbot.waitUntil(lambda: fits(dialog))
     assert dialog.plan.cutting.tool_radius == float(
-        dialog.fields.rows["tool_radius"].editors["tool_radius"].text()
+        dialog.fields.row("tool_radius").editors["tool_radius"].text()
     )
 
 
@@ -195,10 +195,10 @@ def test_other_formats_ask_for_their_options_and_keep_them(designed, window, set
 
 
 def test_rows_that_mean_nothing_are_hidden(fields):
-    assert not fields.rows["step_down"].isVisible() and not fields.rows["program"].isVisible()
+    assert not fields.row("step_down").isVisible() and not fields.row("program").isVisible()
     fields.enter(roughing="flat")
     fields.enter(dialect="fanuc")
-    assert fields.rows["step_down"].isVisible() and fields.rows["program"].isVisible()
+    assert fields.row("step_down").isVisible() and fields.row("program").isVisible()
 
 
 def test_the_pane_and_the_menu_lead_to_g_code(

@@ -36,7 +36,7 @@ def pane(settings, session, bowl, show, qtbot):
 
 def enter(pane, qtbot, name, text):
     """Type a limit."""
-    return fill(qtbot, pane._fields.rows[name].editors[name], text)
+    return fill(qtbot, pane._figures.row(name).editors[name], text)
 
 
 def states(pane):
@@ -51,7 +51,7 @@ def test_the_first_map_shows_all_limits_and_the_3d_view_hears_of_them(pane, qtbo
     assert legend(pane) == ["Within limits (100 %)", "Thickness (0 %)"]
     with qtbot.waitSignal(pane.limits_changed) as caught:
         enter(pane, qtbot, "max_slope", "5")
-    assert caught.args == [pane._fields.limits] and pane._fields.limits.max_slope == 5
+    assert caught.args == [pane._figures.limits] and pane._figures.limits.max_slope == 5
     qtbot.waitUntil(lambda: len(legend(pane)) == 3 and hatched(pane))
     slope = pane._found.maps["lens.back"].slope
     assert legend(pane)[2] == f"Slope ({100 * (slope > 5).mean():.0f} %)"
@@ -80,7 +80,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
 
 
 def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
-    own = pane._fields.limits.min_thickness
+    own = pane._figures.limits.min_thickness
     assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless stated
     assert not any(text for key, text in states(pane).items() if key != "thinnest")
     enter(pane, qtbot, "max_slope", "5")

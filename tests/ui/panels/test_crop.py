@@ -87,7 +87,7 @@ def dialog(qtbot, view):
 
 
 def row(dialog, name):
-    (found,) = (row for row in dialog._entries.rows if row.path.endswith(f".{name}"))
+    (found,) = (row for row in dialog._form.rows if row.path.endswith(f".{name}"))
     return found
 
 

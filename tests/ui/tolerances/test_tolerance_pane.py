@@ -37,7 +37,7 @@ def pane(session, frame, show, monkeypatch, qtbot):
 
 def enter(pane, qtbot, path, text):
     """Type into a field."""
-    row = pane.form._row(path)
+    row = pane.form.row(path)
     fill(qtbot, row.editors[path], text)
     return row
 
@@ -71,7 +71,7 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
 
 def test_errors_that_trains_do_not_have_have_no_fields(pane, session):
     def fields():
-        return {name for name in ABOUT if pane.form._row(name).isVisible()}
+        return {name for name in ABOUT if pane.form.row(name).isVisible()}
 
     before = fields()
     data = session.scene.to_data()
