@@ -140,7 +140,6 @@ SHOWS = {
         "QMenu",
         "QPushButton",
         "QToolBar",
-        "MenuButton",
         "addAction",
     ),
     *("addButton", "addItem", "addMenu", "addTab", "note", "setAccessibleName", "setEmptyLabel"),

@@ -11,19 +11,20 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtWidgets import QSizePolicy
 
 from ui.document.frame import Frame
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import Line, Place, SharedView
 from ui.views.tools import ARROWS
-from ui.widgets.controls import MenuButton, choose, chosen_of
+from ui.widgets.controls import Chooser
 from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.pictures.axes import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 from workbench.scene import AnyReceiver, Scene
 
-_DIRECTIONS = ("x", "y", "line")
+_DIRECTIONS = later({"x": "Along x", "y": "Along y", "line": "Along a line"})
 _TIP = later(
     "Cross-section along x or y through the point clicked in an image,\nor along a line drawn "
     "with Shift and drag.\nArrow keys move the point or line by a pixel, with Shift by ten; with "
@@ -45,12 +46,13 @@ class SectionView(PlotView):
         self._place: Place = (0.0, 0.0)
         self._image_number = self._shared.now.number
         self._line: Line | None = None  # from corner to corner until one is drawn
-        self._button = MenuButton(tr("Along"), tr(_TIP))
-        self._direction = self._button.add_choice(
-            [tr("Along x"), tr("Along y"), tr("Along a line")]
-        )
-        self._button.chosen.connect(self._turn)
-        self._add_in_corner(self._button)
+        self._direction = Chooser()
+        self._direction.setAccessibleName(tr("Along"))
+        self._direction.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        for direction, text in _DIRECTIONS.items():
+            self._direction.addItem(tr(text), direction)
+        self._direction.activated.connect(self._turn)
+        self._add_in_corner(self._direction)
         self._shared.pinned.connect(self._pin)
         self._shared.changed.connect(self._follow)
         self._shared.drawn.connect(self._show_line)
@@ -86,7 +88,7 @@ class SectionView(PlotView):
 
     @property
     def _along(self) -> str:
-        return _DIRECTIONS[chosen_of(self._direction)]
+        return str(self._direction.currentData())
 
     def _turn(self) -> None:
         self._mark()
@@ -114,7 +116,7 @@ class SectionView(PlotView):
 
     def _show_line(self, line: Line) -> None:
         self._line = line
-        choose(self._direction, _DIRECTIONS.index("line"))
+        self._direction.setCurrentIndex(self._direction.findData("line"))
         self._turn()
 
     def _draw(self, session: Session, frame: Frame | None) -> None:
@@ -143,13 +145,13 @@ class SectionView(PlotView):
             assert self._line is not None  # since the picture began
             extent = Extent.of_receiver(scene)
             start, end = (f"({extent.number(0, x)}, {extent.number(1, y)})" for x, y in self._line)
-            self._button.setToolTip(
+            self._direction.setToolTip(
                 tr("From {start} to {end} {unit}.\n{tip}").format(
                     start=start, end=end, unit=extent.unit, tip=tr(_TIP)
                 )
             )
             return cut_between(scene, *self._line)
-        self._button.setToolTip(tr(_TIP))
+        self._direction.setToolTip(tr(_TIP))
         return cut_through(scene, self._along, self._place)
 
 

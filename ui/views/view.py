@@ -9,10 +9,10 @@ from collections import OrderedDict
 from time import perf_counter
 
 from PySide6.QtCore import QEvent, QObject, QTimer
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from ui.background import Background
+from ui.background import Background, close_threads
 from ui.document.document import Document
 from ui.document.frame import Frame, shows
 from ui.document.shown_lens import ShownLens
@@ -226,6 +226,10 @@ class ComputingView(View):
     def hideEvent(self, event: QHideEvent) -> None:
         self._want_nothing()
         super().hideEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        close_threads(self)
+        super().closeEvent(event)
 
     def _seen(self) -> bool:
         return self._frame is not None and self.isVisible() and not self._covered

@@ -1,10 +1,10 @@
-"""Filling of layouts, menu button, table, splitter, and the layout of a picture and its form."""
+"""Filling of layouts, chooser, table, splitter, and the layout of a picture and its form."""
 
 from collections.abc import Sequence
 from typing import TypeVar
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QIcon, QKeySequence, QResizeEvent, QWheelEvent
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QAction, QIcon, QKeySequence, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QBoxLayout,
@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHeaderView,
     QLayout,
-    QMenu,
     QScrollArea,
     QSizePolicy,
     QSplitter,
@@ -66,45 +65,6 @@ class Chooser(QComboBox):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
-
-
-class MenuButton(QToolButton):
-    """Button that opens its menu by a click or a key."""
-
-    chosen = Signal()
-
-    def __init__(self, text: str, tip: str) -> None:
-        super().__init__()
-        self.setText(f"{text} ▾")  # the style's own arrow lies below the line
-        self.setAccessibleName(text)
-        self.setToolTip(tip)
-        self.setAutoRaise(True)
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setMenu(QMenu(self))
-
-    def add_choice(self, texts: Sequence[str]) -> QActionGroup:
-        """Add exclusive choices; the first is checked."""
-        group = QActionGroup(self)
-        for text in texts:
-            group.addAction(self.add_toggle(text, on=not group.actions()))
-        return group
-
-    def add_toggle(self, text: str, on: bool) -> QAction:
-        action = self.menu().addAction(text)
-        action.setCheckable(True)
-        action.setChecked(on)
-        action.triggered.connect(self.chosen)
-        return action
-
-
-def chosen_of(group: QActionGroup) -> int:
-    """Index of the checked action of a group."""
-    return group.actions().index(group.checkedAction())
-
-
-def choose(group: QActionGroup, number: int) -> None:
-    """Check an action of a group without a signal."""
-    group.actions()[number].setChecked(True)
 
 
 _WIDE = 1.3  # times as wide as high

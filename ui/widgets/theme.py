@@ -200,7 +200,6 @@ def _colour(application: QApplication) -> None:
         QMainWindow > QTabBar {{
             qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true;
         }}
-        MenuButton::menu-indicator {{ image: none; }}
         QToolButton:checked, QPushButton:checked {{ background-color: {_ON[scheme]}; }}
         QTreeWidget#commands::item {{ padding: 3px; }}
         QLabel#hint {{ background: {_NOTE[scheme]}; padding: 6px; }}
