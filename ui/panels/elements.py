@@ -9,7 +9,7 @@ import numpy as np
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import ListedPanel, another_name
 from ui.panels.rows import Rows, value_row
-from ui.words import capitalised, in_sentence, tr
+from ui.words import capitalised, in_sentence, later, tr
 from workbench.design.limits import bounded
 from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
@@ -84,22 +84,18 @@ _FACES = "face", "faces"
 class ElementsPanel(ListedPanel[AnyElement]):
     """Bound to ``scene.elements``."""
 
+    _CALLED = later("element")
+
     def __init__(self, field: FieldDescription) -> None:
-        self._field = field
         super().__init__(
-            tr(field.title),
-            replace(field, title=tr("Optical train")),
-            "elements",
-            tr("element"),
+            field,
             {
                 tr("Add lens"): tr("Add a plano-convex lens of fixed shape behind the others"),
                 tr("Add mirror"): tr("Add a plane mirror behind the others"),
                 tr("Add diffuser"): tr("Add a diffuser behind the others"),
             },
+            listed=later("Optical train"),
         )
-
-    def parts_of(self, scene: Scene) -> tuple[AnyElement, ...]:
-        return scene.elements
 
     def new(self, which: int) -> AnyElement:
         last, kind = self.session.scene.elements[-1], _KINDS[which]

@@ -15,7 +15,7 @@ from ui.panels.rows import Make, Rows, connect_asked, file_rows
 from ui.panels.text_rows import PairsRow
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.native import ScaledImage
-from ui.words import error_text, in_sentence, tr
+from ui.words import error_text, in_sentence, later, tr
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -159,17 +159,11 @@ class ImagesPanel(ListedPanel[Image]):
 
     image_asked = Signal()
 
-    def __init__(self, field: FieldDescription) -> None:
-        super().__init__(
-            tr(field.title),
-            field,
-            "images",
-            tr("image"),
-            {tr("Add"): tr("Add an image farther away, with the target of the last one")},
-        )
+    _CALLED, _NAMED = later("image"), later("Image {number}")
 
-    def parts_of(self, scene: Scene) -> tuple[Image, ...]:
-        return scene.images
+    def __init__(self, field: FieldDescription) -> None:
+        add = tr("Add an image farther away, with the target of the last one")
+        super().__init__(field, {tr("Add"): add})
 
     def remark(self, scene: Scene) -> str:
         of_first = tr("The panels Target and Receiver belong to image 1.")
@@ -190,9 +184,6 @@ class ImagesPanel(ListedPanel[Image]):
         return tr("{place}, {target}, weight {weight:g}").format(
             place=place, target=in_sentence(tr(title_of(type(part.target)))), weight=part.weight
         )
-
-    def name_of(self, number: int) -> str:
-        return tr("Image {number}").format(number=number + 1)
 
     def choose_image(self, path: Path) -> None:
         where = f"images[{self._bound}].target"
@@ -224,21 +215,11 @@ def _several(scene: Scene) -> bool:
 class RegionsPanel(ListedPanel[AnyRegion]):
     """Bound to ``scene.regions``."""
 
+    _CALLED, _NAMED, _NONE = later("region"), later("Region {number}"), later("None.")
+
     def __init__(self, field: FieldDescription) -> None:
-        self._field = field
-        super().__init__(
-            tr(field.title),
-            replace(field, title=tr("Regions")),
-            "regions",
-            tr("region"),
-            {tr("Add"): tr("Add a region in the middle")},
-        )
-
-    def parts_of(self, scene: Scene) -> tuple[AnyRegion, ...]:
-        return scene.regions
-
-    def remark(self, scene: Scene) -> str:
-        return "" if scene.regions else tr("None.")
+        add = {tr("Add"): tr("Add a region in the middle")}
+        super().__init__(field, add, listed=later("Regions"))
 
     def new(self, which: int) -> AnyRegion:
         count = len(self.session.scene.regions) + 1
@@ -255,9 +236,6 @@ class RegionsPanel(ListedPanel[AnyRegion]):
         unit = scene.receiver.measure.sign_in(scene.unit)
         size = sized(f"{written(width)} × {written(height)}", unit)
         return f"{part.name}: {in_sentence(tr(title_of(type(part))))}, {size}"
-
-    def name_of(self, number: int) -> str:
-        return tr("Region {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
         rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})

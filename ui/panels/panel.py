@@ -3,6 +3,7 @@
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from dataclasses import replace
 from functools import partial
 from itertools import count
 from typing import Any, Generic, TypeVar
@@ -27,6 +28,7 @@ from ui.words import in_sentence, tr
 from workbench.files.session import Session
 from workbench.levels import Level
 from workbench.scene import FieldDescription, Kinds, Part, Scene
+from workbench.scene.paths import value_at
 
 
 class Panel(Fold):
@@ -139,29 +141,30 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 class ListedPanel(Panel, Generic[AnyPart]):
-    """A list of parts at a path, with buttons; below it the rows of the selected part.
+    """A list of parts, with buttons; below it the rows of the selected part.
 
-    ``called`` is the name of a part, ``adding`` has the buttons that add parts, with their tips.
+    ``field`` is that of the parts at ``path``; ``adding`` has the buttons that add parts, with
+    their tips.
     """
 
+    _CALLED = ""  # a part, in the texts of steps
+    _NAMED = ""  # a part by its number
+    _NONE = ""  # in place of the list
+
     def __init__(
-        self,
-        title: str,
-        field: FieldDescription,
-        path: str,
-        called: str,
-        adding: Mapping[str, str],
+        self, field: FieldDescription, adding: Mapping[str, str], path: str = "", listed: str = ""
     ) -> None:
-        self._bound = -1  # the part whose rows are there
+        self._field, self._bound = field, -1  # the part whose rows are there
         self._called = ""  # in their names
-        self.list = PartList(self, field, path, called, adding)
-        super().__init__(title, [self.list], field.level)
+        named = replace(field, title=listed or field.title)
+        self.list = PartList(self, named, path or field.name, tr(self._CALLED), adding)
+        super().__init__(tr(field.title), [self.list], field.level)
         self.list.chosen.connect(self._choose)
 
     def prepare(self, session: Session) -> None:
         self._session = session
-        parts = self.parts_of(session.scene)
-        self.list.show_parts(parts, self.remark(session.scene))
+        parts: tuple[AnyPart, ...] = value_at(session.scene, self.list.path)
+        self.list.show_parts(parts, self.remark(session.scene) if parts else tr(self._NONE))
         self.note(f"{len(parts)}" if parts else "")
         self._bind(self.list.current)
 
@@ -169,12 +172,8 @@ class ListedPanel(Panel, Generic[AnyPart]):
         if number := re.match(rf"{self.list.path}\[(\d+)\]", path):
             self.list.select(int(number[1]))
 
-    @abstractmethod
-    def parts_of(self, scene: Scene) -> tuple[AnyPart, ...]:
-        """Return the parts of a scene."""
-
     def remark(self, scene: Scene) -> str:
-        """Return a sentence below the list."""
+        """Return a sentence below the list of some parts."""
         return ""
 
     @abstractmethod
@@ -185,9 +184,9 @@ class ListedPanel(Panel, Generic[AnyPart]):
     def summary(self, part: AnyPart) -> str:
         """Return a description of a part in one line."""
 
-    @abstractmethod
     def name_of(self, number: int) -> str:
         """Return the title of a part."""
+        return tr(self._NAMED).format(number=number + 1)
 
     @abstractmethod
     def rows_of(self, number: int) -> list[Row]:

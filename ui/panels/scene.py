@@ -134,6 +134,9 @@ _AS_THE_SCENE = later("As the scene")
 class StagesPanel(ListedPanel[Stage]):
     """Bound to ``scene.run.stages``."""
 
+    _CALLED, _NAMED = later("stage"), later("Stage {number}")
+    _NONE = later("None: the run has only the scene itself.")
+
     def __init__(self) -> None:
         tip = tr(
             "Stages that a run completes before the scene itself; each continues from the lens of "
@@ -141,19 +144,12 @@ class StagesPanel(ListedPanel[Stage]):
             "before a fine one."
         )
         super().__init__(
-            tr("Stages"),
             described(tr("Stages"), tip, str, Level.EXPERT),
-            "run.stages",
-            tr("stage"),
             {tr("Add"): tr("Add a stage behind the others")},
+            "run.stages",
         )
 
-    def parts_of(self, scene: Scene) -> tuple[Stage, ...]:
-        return scene.run.stages
-
     def remark(self, scene: Scene) -> str:
-        if not scene.run.stages:
-            return tr("None: the run has only the scene itself.")
         left = _iterations(self._iterations_left)
         return tr("Then the scene itself: {iterations}.").format(iterations=left)
 
@@ -180,9 +176,6 @@ class StagesPanel(ListedPanel[Stage]):
             parts.append(tr("{kind} filter").format(kind=kind))
         return ", ".join(parts)
 
-    def name_of(self, number: int) -> str:
-        return tr("Stage {number}").format(number=number + 1)
-
     def rows_of(self, number: int) -> list[Row]:
         path = f"run.stages[{number}]"
         rows = Rows(
@@ -208,13 +201,12 @@ class StagesPanel(ListedPanel[Stage]):
 class ProcessesPanel(ListedPanel[Process]):
     """Bound to ``scene.processes``."""
 
+    _CALLED, _NAMED = later("process"), later("Process {number}")
+    _NONE = later("None: elements are as designed.")
+
     def __init__(self, field: FieldDescription) -> None:
-        self._field = field
         super().__init__(
-            tr(field.title),
             field,
-            "processes",
-            tr("process"),
             {
                 tr(title_of(kind)): tr("Add {process} behind the others").format(
                     process=in_sentence(tr(title_of(kind)))
@@ -223,12 +215,6 @@ class ProcessesPanel(ListedPanel[Process]):
             },
         )
 
-    def parts_of(self, scene: Scene) -> tuple[Process, ...]:
-        return scene.processes
-
-    def remark(self, scene: Scene) -> str:
-        return "" if scene.processes else tr("None: elements are as designed.")
-
     def new(self, which: int) -> Process:
         kind = _PROCESSES[which]
         return kind.model_validate(kind.defaults_for(self.session.scene))
@@ -236,9 +222,6 @@ class ProcessesPanel(ListedPanel[Process]):
     def summary(self, part: Process) -> str:
         return tr(title_of(type(part)))
 
-    def name_of(self, number: int) -> str:
-        return tr("Process {number}").format(number=number + 1)
-
     def rows_of(self, number: int) -> list[Row]:
-        rows = Rows(lambda: self.session.scene, {})
+        rows = Rows(lambda: self.session.scene)
         return rows.of_kinds(self._field, f"processes[{number}]", tr("Process"))
