@@ -1865,13 +1865,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>export</source>
-            <translation>Export</translation>
+            <source>A file is still being written. Start the next one after it.</source>
+            <translation>Eine Datei wird noch geschrieben. Danach die nächste beginnen.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A file is still being written. Start the next one after it.</source>
-            <translation>Eine Datei wird noch geschrieben. Danach die nächste beginnen.</translation>
+            <source>export</source>
+            <translation>Export</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -1980,13 +1980,13 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>{path} is written.</source>
-            <translation>{path} ist geschrieben.</translation>
+            <source>Open folder</source>
+            <translation>Ordner öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Open folder</source>
-            <translation>Ordner öffnen</translation>
+            <source>{path} is written.</source>
+            <translation>{path} ist geschrieben.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2605,6 +2605,26 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Lenses</source>
+            <translation>Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Number of traced lenses; more lenses give better percentiles</source>
+            <translation>Zahl der gerechneten Linsen; mehr Linsen geben bessere Perzentile</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Startwert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Save…</source>
             <translation>Speichern …</translation>
         </message>
@@ -2615,48 +2635,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>{value}; {allowed}</source>
-            <translation>{value}; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a whole number from 1 to {most} is needed</source>
-            <translation>eine ganze Zahl von 1 bis {most} ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a whole number from 0 is needed</source>
-            <translation>eine ganze Zahl ab 0 ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a finite number from 0 is needed</source>
-            <translation>eine endliche Zahl ab 0 ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>over</source>
             <translation>über</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Number of traced lenses; more lenses give better percentiles</source>
-            <translation>Zahl der gerechneten Linsen; mehr Linsen geben bessere Perzentile</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Lenses</source>
-            <translation>Linsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Seed</source>
-            <translation>Startwert</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -2740,11 +2720,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Optical train</source>
-            <translation>Optisches System</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>element</source>
             <translation>Element</translation>
         </message>
@@ -2777,6 +2752,11 @@
             <location filename="../../ui/panels/elements.py" />
             <source>Add a diffuser behind the others</source>
             <translation>Einen Diffusor hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Optical train</source>
+            <translation>Optisches System</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -2885,13 +2865,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Refused: {refused}</source>
-            <translation>Abgelehnt: {refused}</translation>
+            <source>The {edit} is refused: {refused}</source>
+            <translation>Abgelehnt ({edit}): {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The {edit} is refused: {refused}</source>
-            <translation>Abgelehnt ({edit}): {refused}</translation>
+            <source>Refused: {refused}</source>
+            <translation>Abgelehnt: {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -2960,13 +2940,18 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
+            <source>Image {number}</source>
+            <translation>Bild {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ein weiter entferntes Bild mit dem Ziel des letzten hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -2980,23 +2965,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Image {number}</source>
-            <translation>Bild {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Regions</source>
-            <translation>Bereiche</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>region</source>
             <translation>Ausschnitt</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add a region in the middle</source>
-            <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
+            <source>Region {number}</source>
+            <translation>Ausschnitt {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3005,13 +2980,18 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Region {count}</source>
-            <translation>Ausschnitt {count}</translation>
+            <source>Add a region in the middle</source>
+            <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Region {number}</source>
-            <translation>Ausschnitt {number}</translation>
+            <source>Regions</source>
+            <translation>Bereiche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {count}</source>
+            <translation>Ausschnitt {count}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3175,6 +3155,21 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>stage</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stage {number}</source>
+            <translation>Stufe {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
             <translation>Stufen, die ein Lauf vor der Szene selbst durchläuft; jede setzt von der Linse der vorigen fort. Beispiel: eine Punktquelle vor einer ausgedehnten oder ein grobes Netz vor einem feinen.</translation>
         </message>
@@ -3185,18 +3180,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>stage</source>
-            <translation>Stufe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>Add a stage behind the others</source>
             <translation>Eine Stufe hinter den anderen hinzufügen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Keine: der Lauf hat nur die Szene selbst.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3215,18 +3200,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Stage {number}</source>
-            <translation>Stufe {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>process</source>
             <translation>Verfahren</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Add {process} behind the others</source>
-            <translation>{process} hinter den anderen hinzufügen</translation>
+            <source>Process {number}</source>
+            <translation>Verfahren {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3235,8 +3215,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Process {number}</source>
-            <translation>Verfahren {number}</translation>
+            <source>Add {process} behind the others</source>
+            <translation>{process} hinter den anderen hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -4370,20 +4350,6 @@
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
-            <source>Cross-section along x or y through the point clicked in an image,
-or along a line drawn with Shift and drag.
-Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
-            <translation>Schnitt entlang x oder y durch den im Bild angeklickten Punkt
-oder entlang einer mit Umschalt und Ziehen gezeichneten Linie.
-Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit Strg das Ende der Linie</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/section_view.py" />
-            <source>Along</source>
-            <translation>Entlang</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/section_view.py" />
             <source>Along x</source>
             <translation>Entlang x</translation>
         </message>
@@ -4396,6 +4362,20 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/views/section_view.py" />
             <source>Along a line</source>
             <translation>Entlang einer Linie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Cross-section along x or y through the point clicked in an image,
+or along a line drawn with Shift and drag.
+Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
+            <translation>Schnitt entlang x oder y durch den im Bild angeklickten Punkt
+oder entlang einer mit Umschalt und Ziehen gezeichneten Linie.
+Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit Strg das Ende der Linie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along</source>
+            <translation>Entlang</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />

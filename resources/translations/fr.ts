@@ -1865,13 +1865,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>export</source>
-            <translation>export</translation>
+            <source>A file is still being written. Start the next one after it.</source>
+            <translation>Un fichier est encore en cours d'écriture. Commencez le suivant après.</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>A file is still being written. Start the next one after it.</source>
-            <translation>Un fichier est encore en cours d'écriture. Commencez le suivant après.</translation>
+            <source>export</source>
+            <translation>export</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
@@ -1980,13 +1980,13 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>{path} is written.</source>
-            <translation>{path} est écrit.</translation>
+            <source>Open folder</source>
+            <translation>Ouvrir le dossier</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Open folder</source>
-            <translation>Ouvrir le dossier</translation>
+            <source>{path} is written.</source>
+            <translation>{path} est écrit.</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2605,6 +2605,26 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Lenses</source>
+            <translation>Lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Number of traced lenses; more lenses give better percentiles</source>
+            <translation>Nombre de lentilles tracées ; davantage donne de meilleurs percentiles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>Seed</source>
+            <translation>Graine</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>La même graine donne les mêmes lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>Save…</source>
             <translation>Enregistrer…</translation>
         </message>
@@ -2615,48 +2635,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>{value}; {allowed}</source>
-            <translation>{value} ; {allowed}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a whole number from 1 to {most} is needed</source>
-            <translation>un nombre entier de 1 à {most} est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a whole number from 0 is needed</source>
-            <translation>un nombre entier à partir de 0 est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>a finite number from 0 is needed</source>
-            <translation>un nombre fini à partir de 0 est requis</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>over</source>
             <translation>sur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Number of traced lenses; more lenses give better percentiles</source>
-            <translation>Nombre de lentilles tracées ; davantage donne de meilleurs percentiles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>The same seed gives the same lenses</source>
-            <translation>La même graine donne les mêmes lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Lenses</source>
-            <translation>Lentilles</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Seed</source>
-            <translation>Graine</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -2740,11 +2720,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
-            <source>Optical train</source>
-            <translation>Train optique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/elements.py" />
             <source>element</source>
             <translation>élément</translation>
         </message>
@@ -2777,6 +2752,11 @@
             <location filename="../../ui/panels/elements.py" />
             <source>Add a diffuser behind the others</source>
             <translation>Ajouter un diffuseur derrière les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Optical train</source>
+            <translation>Train optique</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -2885,13 +2865,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>Refused: {refused}</source>
-            <translation>Refusé : {refused}</translation>
+            <source>The {edit} is refused: {refused}</source>
+            <translation>Refusé ({edit}) : {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
-            <source>The {edit} is refused: {refused}</source>
-            <translation>Refusé ({edit}) : {refused}</translation>
+            <source>Refused: {refused}</source>
+            <translation>Refusé : {refused}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -2960,13 +2940,18 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add</source>
-            <translation>Ajouter</translation>
+            <source>Image {number}</source>
+            <translation>Image {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ajouter une image plus loin, avec la cible de la dernière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Add</source>
+            <translation>Ajouter</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -2980,23 +2965,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Image {number}</source>
-            <translation>Image {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Regions</source>
-            <translation>Régions</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>region</source>
             <translation>région</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Add a region in the middle</source>
-            <translation>Ajouter une région au milieu</translation>
+            <source>Region {number}</source>
+            <translation>Région {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3005,13 +2980,18 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Region {count}</source>
-            <translation>Région {count}</translation>
+            <source>Add a region in the middle</source>
+            <translation>Ajouter une région au milieu</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Region {number}</source>
-            <translation>Région {number}</translation>
+            <source>Regions</source>
+            <translation>Régions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Region {count}</source>
+            <translation>Région {count}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3175,6 +3155,21 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>stage</source>
+            <translation>étape</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Stage {number}</source>
+            <translation>Étape {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>None: the run has only the scene itself.</source>
+            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Stages that a run completes before the scene itself; each continues from the lens of the previous one. Example: a point source before an extended one, or a coarse net before a fine one.</source>
             <translation>Étapes qu'une exécution parcourt avant la scène elle-même ; chacune continue depuis la lentille de la précédente. Exemple : une source ponctuelle avant une source étendue, ou un réseau grossier avant un fin.</translation>
         </message>
@@ -3185,18 +3180,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>stage</source>
-            <translation>étape</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>Add a stage behind the others</source>
             <translation>Ajouter une étape après les autres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>None: the run has only the scene itself.</source>
-            <translation>Aucune : l'exécution n'a que la scène elle-même.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3215,18 +3200,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Stage {number}</source>
-            <translation>Étape {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>process</source>
             <translation>procédé</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Add {process} behind the others</source>
-            <translation>Ajouter {process} après les autres</translation>
+            <source>Process {number}</source>
+            <translation>Procédé {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3235,8 +3215,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>Process {number}</source>
-            <translation>Procédé {number}</translation>
+            <source>Add {process} behind the others</source>
+            <translation>Ajouter {process} après les autres</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -4370,20 +4350,6 @@
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />
-            <source>Cross-section along x or y through the point clicked in an image,
-or along a line drawn with Shift and drag.
-Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
-            <translation>Coupe selon x ou y par le point cliqué dans une image,
-ou selon une ligne tracée avec Maj et glisser.
-Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl le bout de la ligne</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/section_view.py" />
-            <source>Along</source>
-            <translation>Selon</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/section_view.py" />
             <source>Along x</source>
             <translation>Selon x</translation>
         </message>
@@ -4396,6 +4362,20 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/views/section_view.py" />
             <source>Along a line</source>
             <translation>Selon une ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Cross-section along x or y through the point clicked in an image,
+or along a line drawn with Shift and drag.
+Arrow keys move the point or line by a pixel, with Shift by ten; with Ctrl the end of the line</source>
+            <translation>Coupe selon x ou y par le point cliqué dans une image,
+ou selon une ligne tracée avec Maj et glisser.
+Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl le bout de la ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along</source>
+            <translation>Selon</translation>
         </message>
         <message>
             <location filename="../../ui/views/section_view.py" />

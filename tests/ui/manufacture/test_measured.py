@@ -18,7 +18,7 @@ class Desk(QObject):
     def __init__(self, session, window, folder):
         super().__init__(window)
         self.session, self.window, self._folder = session, window, folder
-        self.warnings = []
+        self.messages, self.warnings = self, []
 
     def warn(self, text):
         self.warnings.append(text)
@@ -37,7 +37,7 @@ def comparer(desk, settings, monkeypatch):
     monkeypatch.setattr(QDialog, "exec", lambda _: True)
     found = measured.Measured(desk, desk, settings)
     yield found
-    found.close()
+    found.background.close()
 
 
 def test_corners_are_dragged_and_moved_by_keys(qtbot):

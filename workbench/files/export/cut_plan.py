@@ -202,11 +202,11 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     cutting, step = design.cutting, step_of(design)
     mm, top = 1e3 * design.metres, float(face.heights.max()) + design.cutting.stock_above
     fine = max(_FINE * max(design.net.half_width), _LEAST_SCALLOP / mm, 2 * step)
-    planned = _planned(design)
+    cut = _planned(design)
     if cutting.scallop is not None:
         scallop = cutting.scallop
-    elif planned is not None and planned.radius == radius:
-        scallop = face.scallop_of(radius, planned.step_over)
+    elif cut is not None and cut.radius == radius:
+        scallop = face.scallop_of(radius, cut.step_over)
     else:
         scallop = face.finest_scallop(radius, min(fine, radius / 2), _MOST)
     planned = face.plan_raster(radius, scallop, _MOST, step)
