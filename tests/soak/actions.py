@@ -264,7 +264,8 @@ def _poke(widget: QWidget, rng: Random) -> str:
 
 
 def _place(widget: QWidget, rng: Random) -> QPoint:
-    return QPoint(rng.randrange(widget.width()), rng.randrange(widget.height()))
+    width, height = max(widget.width(), 1), max(widget.height(), 1)  # a splitter closes panes
+    return QPoint(rng.randrange(width), rng.randrange(height))
 
 
 def _seen(within: QWidget, kind: type) -> list:

@@ -184,7 +184,7 @@ def _along(middle: float, scale: float) -> tuple[Array, Array]:
     origin is.
     """
     low, high = (math.asinh((end - middle) / scale) for end in (-1.0, 1.0))
-    panels = math.ceil(high - low)
+    panels = max(math.ceil(high - low), 1)  # 0 for an origin so far aside that all is one place
     part = ((np.arange(panels)[:, None] + (_NODE + 1) / 2) / panels).ravel()
     a = low + (high - low) * part
     weight = (high - low) / panels * np.tile(_WEIGHT / 2, panels)
