@@ -178,5 +178,13 @@ def few_plans(monkeypatch):
 
 
 @pytest.fixture
+def upright_parts(monkeypatch):
+    """Measured parts lie as the face does: their alignment tries few placements."""
+    quarters = np.radians([0, 90, 180, 270])
+    monkeypatch.setattr("workbench.analysis.inspection.starts._ANGLES", quarters)
+    monkeypatch.setattr("workbench.analysis.inspection.alignment._STARTS", 2)
+
+
+@pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(7)

@@ -10,6 +10,8 @@ from tests.analysis.lenses import net_of
 from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.surface import ControlNet
 
+pytestmark = pytest.mark.usefixtures("upright_parts")
+
 FORM = 2e-4  # cm
 
 

@@ -26,6 +26,7 @@ from workbench.scene import Scene
 
 MICROMETRE = 1e-4  # cm
 FACE = "lens.back"
+UPRIGHT = pytest.mark.usefixtures("upright_parts")
 
 
 def relief(x, y):
@@ -41,7 +42,7 @@ def form(x, y):
 
 @pytest.fixture
 def scene(make_scene):
-    return make_scene({"lens.control_points": (64, 64)})
+    return make_scene({"lens.control_points": (32, 32)})
 
 
 @pytest.fixture
@@ -54,7 +55,7 @@ def face(session):
     return DesignedFace.of(session.scene, session.heights[FACE], FACE)
 
 
-def points_of(face, error=form, noise=0.0, count=100, part=1.0, seed=3):
+def points_of(face, error=form, noise=0.0, count=64, part=1.0, seed=3):
     """Points of a part of a face with a form error and noise, in the face's coordinates."""
     middles = part * (2 * (np.arange(count) + 0.5) / count - 1)
     x, y = (each.ravel() for each in np.meshgrid(middles, middles))
@@ -86,7 +87,7 @@ def test_standard_errors_are_those_of_noise(face):
     noise = 0.1 * MICROMETRE
     off, stated = [], []
     for seed in range(6):
-        points, placement = turned(points_of(face, none, noise, 80, seed=seed))
+        points, placement = turned(points_of(face, none, noise, 50, seed=seed))
         found = aligned([points], face, "part")
         middle = [each.applied(points).mean(axis=0) for each in (found.placement, placement)]
         off.append(middle[0] - middle[1])
@@ -114,6 +115,7 @@ def test_dust_does_not_move_a_part(face):
     assert residual.rms < 1e-3 * MICROMETRE
 
 
+@UPRIGHT
 def test_scale_is_determined_if_asked_for(face):
     points = 1.004 * points_of(face, none)
     found = aligned([points], face, "part", with_scale=True)
@@ -145,6 +147,7 @@ def test_another_face_is_refused(face):
         aligned([points_of(face, other)], face, "part")
 
 
+@UPRIGHT
 def test_the_patch_that_fits_is_taken(face):
     flat = points_of(face, none) * [1, 1, 0]
     found = aligned([flat, points_of(face, none)], face, "part")
@@ -164,7 +167,7 @@ def bump(x, y):
 
 
 def test_residual_of_a_known_bump(session, face):
-    measured, _ = turned(points_of(face, bump, noise=0.02 * MICROMETRE))
+    measured, _ = turned(points_of(face, bump, noise=0.02 * MICROMETRE, count=100))
     (part,) = inspect(session, measured).parts
     x, y = np.linspace(-0.9, 0.9, 41)[:, None], np.linspace(-0.9, 0.9, 41)
     z = face.net.at(*np.broadcast_arrays(x, y), part.residual.on_design)[0]
@@ -191,6 +194,7 @@ def test_long_form_errors_are_not_taken_for_a_shift(session):
     assert off < 0.2 * MICROMETRE < 0.2 * off_plain
 
 
+@UPRIGHT
 def test_slope_of_a_known_residual(session, face):
     def ripple(x, y):
         return MICROMETRE * np.sin(10 * x) + 0 * y
@@ -202,6 +206,7 @@ def test_slope_of_a_known_residual(session, face):
     assert part.residual.rms == pytest.approx(MICROMETRE / np.sqrt(2), rel=0.1)
 
 
+@UPRIGHT
 @pytest.mark.parametrize(("factor", "unit"), [(10, "mm"), (1e4, "um"), (0.01, "m")])
 def test_sizes_in_another_unit_are_refused_with_the_unit(session, face, factor, unit):
     points = factor * points_of(face)
@@ -211,6 +216,7 @@ def test_sizes_in_another_unit_are_refused_with_the_unit(session, face, factor, 
     assert found.parts[0].residual.rms < 3 * MICROMETRE
 
 
+@UPRIGHT
 def test_heights_in_another_unit_are_refused_with_the_unit(session, face):
     points = points_of(face) * [1, 1, 1e4]
     with pytest.raises(Refused, match="heights in um fit"):
@@ -219,12 +225,14 @@ def test_heights_in_another_unit_are_refused_with_the_unit(session, face):
     assert found.parts[0].residual.rms < 3 * MICROMETRE
 
 
+@UPRIGHT
 def test_unit_of_the_file_counts(session, face):
     points = 10 * points_of(face)
     found = inspected(session, [surface(points, "mm")])
     assert found.parts[0].residual.rms < 3 * MICROMETRE
 
 
+@UPRIGHT
 def test_too_little_of_the_face_is_refused(session, face):
     points = points_of(face)
     with pytest.raises(Refused, match=r"covers \d+ % of lens.back; at least 50 %"):
@@ -281,6 +289,7 @@ def test_a_corrected_second_part_is_as_good_as_the_design(designed):
     assert found.spread < 0.05 * MICROMETRE
 
 
+@UPRIGHT
 def test_corrected_session(session, face):
     found = inspect(session, points_of(face))
     heights = found.corrected()
@@ -295,11 +304,13 @@ def test_corrected_session(session, face):
     np.testing.assert_allclose(again[FACE], heights[FACE] - found.repeating)
 
 
+@UPRIGHT
 @pytest.mark.parametrize(
     ("name", "tolerance"),
     [("a.height.png", 3e-6), ("a.height.csv", 1e-9), ("a.xyz", 1e-9), ("a.stl", 1e-6)],
 )
-def test_exports_are_read_as_measurements(session, tmp_path, name, tolerance):
+def test_exports_are_read_as_measurements(session, tmp_path, monkeypatch, name, tolerance):
+    monkeypatch.setattr("workbench.files.export.design._STEPS", 80)
     path = tmp_path / name
     assert list(export(session, [path]))
     with path.open("rb") as file:
@@ -308,6 +319,7 @@ def test_exports_are_read_as_measurements(session, tmp_path, name, tolerance):
     assert part.residual.covered == 1
 
 
+@UPRIGHT
 def test_a_mesh_of_several_patches(session, face):
     patches = (points_of(face) * [1, 1, 0], points_of(face))
     found = inspected(session, [("part", MeasuredSurface(patches))])
