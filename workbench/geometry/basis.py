@@ -80,24 +80,25 @@ def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tup
 def _nonzero(knots: Array, degree: int, u: Array, span: Index, derivative: int) -> Array:
     if derivative > degree:
         return np.zeros((len(u), degree + 1))
-    if degree == 0:
-        return np.ones((len(u), 1))
-    lower = _nonzero(knots, degree - 1, u, span, max(derivative - 1, 0))
-    # Function i of degree p has the support [knots[i], knots[i + p + 1]] and comes from the
-    # functions i and i + 1 of degree p - 1, whose supports end at knots[i + p] and begin at
-    # knots[i + 1]. Of these only span - p + 1 ... span are not zero.
-    index = span[:, None] - degree + 1 + np.arange(degree)
-    left, right = knots[index], knots[index + degree]
-    width = right - left  # never 0: the span lies within each support
-    values = np.zeros((len(u), degree + 1))
-    if derivative > 0:
-        values[:, 1:] += degree * lower / width
-        values[:, :-1] -= degree * lower / width
-    else:
-        # A ratio first, so that the ends of the domain come out as exactly 1.
-        values[:, 1:] += (u[:, None] - left) / width * lower
-        values[:, :-1] += (right - u[:, None]) / width * lower
-    return values
+    # Function by function, each for all u: numpy is slow along axes of a few numbers.
+    around = {j: knots[span + j] for j in range(1 - degree, degree + 1)}
+    values = np.ones((1, len(u)))
+    for p in range(1, degree + 1):
+        lower, values = values, np.zeros((p + 1, len(u)))
+        # Function i of degree p has the support [knots[i], knots[i + p + 1]] and comes from the
+        # functions i and i + 1 of degree p - 1, whose supports end at knots[i + p] and begin at
+        # knots[i + 1]. Of these only span - p + 1 ... span are not zero.
+        for k, each in enumerate(lower):
+            left, right = around[k - p + 1], around[k + 1]
+            width = right - left  # never 0: the span lies within each support
+            if derivative > degree - p:
+                values[k + 1] += p * each / width
+                values[k] -= p * each / width
+            else:
+                # A ratio first, so that the ends of the domain come out as exactly 1.
+                values[k + 1] += (u - left) / width * each
+                values[k] += (right - u) / width * each
+    return np.ascontiguousarray(values.T)
 
 
 def basis_matrix(knots: Array, degree: int, u: Array, derivative: int = 0) -> Array:
