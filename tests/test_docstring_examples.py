@@ -27,8 +27,8 @@ def test_examples_print_what_they_say(name, tmp_path, monkeypatch):
     assert found.failed == 0  # what was expected is printed
 
 
-@pytest.mark.parametrize("name", api.__all__)
-def test_what_can_be_called_has_an_example(name):
-    part = getattr(api, name)
-    if inspect.isfunction(part) or name in ("DesignRun", "Scene", "Session"):
-        assert "\n    >>> " in part.__doc__
+def test_what_can_be_called_has_an_example():
+    for name in api.__all__:
+        part = getattr(api, name)
+        if inspect.isfunction(part) or name in ("DesignRun", "Scene", "Session"):
+            assert "\n    >>> " in part.__doc__, name

@@ -204,3 +204,9 @@ def small_grids(monkeypatch):
     """Grids of few points, which are written and read sooner."""
     monkeypatch.setattr("workbench.files.export.design._STEPS", 40)
     monkeypatch.setattr("workbench.files.export.cut_plan._FINE", 5e-3)
+
+
+@pytest.fixture
+def few_gouges(monkeypatch):
+    """Noses of tools are looked for gouges at few places."""
+    monkeypatch.setattr("workbench.files.export.turning._CHECKED", 1000)

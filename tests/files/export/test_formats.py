@@ -4,12 +4,14 @@ import pytest
 
 from workbench.errors import Refused
 from workbench.files.export.formats import ENDINGS, format_of
+from workbench.files.export.options import Cutting, Turning
 from workbench.files.export.write import export
 from workbench.files.session import Session
 
-pytestmark = pytest.mark.usefixtures("small_grids", "coarse_tables")
+pytestmark = pytest.mark.usefixtures("small_grids", "coarse_tables", "few_gouges")
 
 
+COARSE = Cutting(scallop=0.01), Turning(feed_per_turn=0.05, points_per_turn=128)
 TWO_FACES = {"version": 2, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
 
 
@@ -31,7 +33,7 @@ def session(make_session):
 def test_every_ending_is_written(make_session, tmp_path, ending):
     session = make_session(TWO_FACES if "entrance" in ending else None)
     path = tmp_path / f"my.lens{ending.upper()}"
-    (written,) = export(session, [path], chord_error=0.01)
+    (written,) = export(session, [path], chord_error=0.01, options=COARSE)
     assert written.path == path
     assert written.format == format_of(path).name
     assert path.stat().st_size > 1000

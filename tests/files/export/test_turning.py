@@ -13,7 +13,7 @@ SMALL = Turning(nose_radius=0.1, feed_per_turn=0.05, points_per_turn=180)
 
 
 @pytest.fixture
-def table(make_design, write):
+def table(make_design, write, few_gouges):
     """Writes a face as a table: angle (radians), radius and height, scene units, its deviation."""
 
     def do(height, turning=SMALL, **changes):
@@ -65,12 +65,12 @@ def waves(x, y):
 def test_the_nose_along_the_interpolated_table_leaves_the_face(table, rng, outline):
     angle, radius, z, deviation, design, _ = table(waves, **{"lens.outline": outline})
     top = design.heights.max()
-    number = rng.uniform(0, len(z) - 1, 4000)
+    number = rng.uniform(0, len(z) - 1, 1000)
     angle, radius, tip = (np.interp(number, np.arange(len(z)), c) for c in (angle, radius, z + top))
     inside = design.outline.contains(radius * np.cos(angle), radius * np.sin(angle))
     angle, radius, tip = angle[inside], radius[inside], tip[inside]
     lowest = np.full(len(tip), np.inf)
-    for part in np.linspace(-1, 1, 801):
+    for part in np.linspace(-1, 1, 401):
         along = radius + 0.1 * part
         x, y = along * np.cos(angle), along * np.sin(angle)
         above = tip + 0.1 * (1 - np.sqrt(1 - part**2)) - design.net.at(x, y, design.heights)[0]
@@ -93,7 +93,7 @@ def test_a_nose_that_does_not_fit_and_too_many_points_are_refused(table):
         return 0.5 + 0.02 * np.cos(40 * x) + 0 * y
 
     with pytest.raises(Refused, match=r"^nose_radius: a nose of 0.3 cm does not fit: it cuts off"):
-        table(narrow, Turning(nose_radius=0.3))
+        table(narrow, Turning(nose_radius=0.3, feed_per_turn=0.05))
     with pytest.raises(Refused, match=r"^feed_per_turn: .* more than 4,000,000; a larger one"):
         table(waves, Turning(feed_per_turn=1e-7))
     with pytest.raises(Refused, match=r"^points_per_turn: 3; from 16 to 100,000"):

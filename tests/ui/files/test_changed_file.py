@@ -119,19 +119,16 @@ def press(word, seen):
     QTimer.singleShot(200, answer)
 
 
-@pytest.mark.parametrize(
-    ("word", "choice"),
-    [
+def test_the_question_about_a_changed_file(window, path):
+    for word, choice in (
         ("Overwrite", ChangedFileChoice.OVERWRITE),
         ("Save as…", ChangedFileChoice.SAVE_AS),
         ("Reload", ChangedFileChoice.RELOAD),
         ("Cancel", ChangedFileChoice.CANCEL),
-    ],
-)
-def test_the_question_about_a_changed_file(window, path, word, choice):
-    seen = []
-    press(word, seen)
-    assert actions.ask_about_changed_file(path, OnDisk.CHANGED, window) is choice
-    ((text, buttons),) = seen
-    assert "mine.freeform" in text
-    assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}
+    ):
+        seen = []
+        press(word, seen)
+        assert actions.ask_about_changed_file(path, OnDisk.CHANGED, window) is choice
+        ((text, buttons),) = seen
+        assert "mine.freeform" in text
+        assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}

@@ -39,14 +39,17 @@ def test_each_shows_what_is_kept(dialog, settings):
     }
 
 
-@pytest.mark.parametrize(
-    ("preference", "value"),
-    [(LANGUAGE, "fr"), (TEXT_SIZE, "110"), (START, "last"), (CHECK, "none"), (CORES, "0")],
-)
-def test_a_choice_is_kept_at_once(application, dialog, settings, preference, value):
-    assert preference.kept(settings) != value
-    choose(dialog, preference, value)
-    assert preference.kept(settings) == value
+def test_a_choice_is_kept_at_once(application, dialog, settings):
+    for preference, value in (
+        (LANGUAGE, "fr"),
+        (TEXT_SIZE, "110"),
+        (START, "last"),
+        (CHECK, "none"),
+        (CORES, "0"),
+    ):
+        assert preference.kept(settings) != value
+        choose(dialog, preference, value)
+        assert preference.kept(settings) == value
 
 
 def test_a_theme_is_applied_at_once(application, dialog, settings):
