@@ -28,6 +28,7 @@ __all__ = [
     "as_made",
     "begin",
     "check",
+    "compromises",
     "corrected",
     "expected_error",
     "export",

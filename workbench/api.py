@@ -43,7 +43,15 @@ from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.made import as_made, corrected, expected_error, inspect, photograph, plan
+from workbench.made import (
+    as_made,
+    compromises,
+    corrected,
+    expected_error,
+    inspect,
+    photograph,
+    plan,
+)
 from workbench.option_groups import OptionGroup
 from workbench.scene import Scene
 
@@ -67,6 +75,7 @@ __all__ = [
     "as_made",
     "begin",
     "check",
+    "compromises",
     "corrected",
     "expected_error",
     "export",

@@ -20,7 +20,7 @@ from workbench.reading import opened
 if TYPE_CHECKING:
     from workbench.analysis.making.photograph import Corner, Photograph
     from workbench.analysis.making.plan import ShopPlans
-    from workbench.analysis.making.robust import ExpectedError
+    from workbench.analysis.making.robust import Compromise, ExpectedError
     from workbench.analysis.validation_figures import MadeStep
     from workbench.arrays import Array
     from workbench.measured.surfaces import PictureScale
@@ -124,6 +124,40 @@ def expected_error(session: Session) -> "ExpectedError":
     from workbench.analysis.making.robust import expected_error  # late: it loads torch
 
     return expected_error(session.scene, session.target, result_of(session).state.heights)
+
+
+def compromises(
+    session: Session, shares: Sequence[float] = (0.0, 0.25, 0.5, 1.0), iterations: int | None = None
+) -> "tuple[Compromise, ...]":
+    """Lenses for parts of the scene's uncertainty, with their errors over the whole of it.
+
+    Parameters
+    ----------
+    session : Session
+        A task, or a lens to start from.
+    shares : sequence of float
+        Parts of the standard deviations that each run knows: 0 for the exact set-up.
+    iterations : int, optional
+        Upper limit of each run in place of the scene's.
+
+    Raises
+    ------
+    Refused
+        If nothing is uncertain, or the scene cannot be run.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench import Scene, begin, load
+    >>> data = load(path("examples", "tophat-none-zeros.json")).scene.to_data()
+    >>> uncertain = {"uncertainty": {"distance": 0.2}, "run": {"method": "auto"}}
+    >>> nominal, robust = compromises(begin(Scene.from_data(data | uncertain)), (0, 1), 1)
+    >>> robust.error.cases
+    3
+    """
+    from workbench.analysis.making.robust import compromising  # late: it loads torch
+
+    return finished(compromising(session, shares, iterations))
 
 
 def photograph(session: Session, picture: "Array", corners: "Sequence[Corner]") -> "Photograph":

@@ -7046,6 +7046,26 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Source size</source>
+            <translation>Größe der Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of an extended source, in percent of its size.</source>
+            <translation>Einer ausgedehnten Quelle, in Prozent ihrer Größe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the refractive index of designed lenses.</source>
+            <translation>Des Brechungsindex entworfener Linsen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the material of designed lenses at each freeform face.</source>
+            <translation>Des Materials entworfener Linsen an jeder Freiformfläche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Run</source>
             <translation>Lauf</translation>
         </message>
@@ -8743,6 +8763,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/making/plan.py" />
             <source>{wanted:.3g} % as made is not reached by milling and polishing this lens; more than {least:.3g} % may be</source>
             <translation>{wanted:.3g} % nach der Fertigung erreichen Fräsen und Polieren dieser Linse nicht; mehr als {least:.3g} % sind möglich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/robust.py" />
+            <source>nothing is uncertain; state standard deviations, such as of distance</source>
+            <translation>nichts ist unsicher; geben Sie Standardabweichungen an, etwa die des Abstands</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
@@ -10688,6 +10713,16 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>Linsen bis dorthin</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>error in the exact set-up</source>
+            <translation>Fehler im genauen Aufbau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>mean error over what is uncertain</source>
+            <translation>mittlerer Fehler über das Unsichere</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/handles.py" />

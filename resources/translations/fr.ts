@@ -7046,6 +7046,26 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Source size</source>
+            <translation>Taille de la source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of an extended source, in percent of its size.</source>
+            <translation>D’une source étendue, en pour cent de sa taille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the refractive index of designed lenses.</source>
+            <translation>De l’indice de réfraction des lentilles conçues.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the material of designed lenses at each freeform face.</source>
+            <translation>De la matière des lentilles conçues à chaque surface freeform.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Run</source>
             <translation>Exécution</translation>
         </message>
@@ -8743,6 +8763,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/making/plan.py" />
             <source>{wanted:.3g} % as made is not reached by milling and polishing this lens; more than {least:.3g} % may be</source>
             <translation>{wanted:.3g} % après fabrication n'est pas atteint par fraisage et polissage de cette lentille ; plus de {least:.3g} % peut l'être</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/making/robust.py" />
+            <source>nothing is uncertain; state standard deviations, such as of distance</source>
+            <translation>rien n’est incertain ; indiquez des écarts types, par exemple celui de la distance</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/mitsuba_elements.py" />
@@ -10688,6 +10713,16 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>lentilles jusque-là</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>error in the exact set-up</source>
+            <translation>erreur dans le montage exact</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
+            <source>mean error over what is uncertain</source>
+            <translation>erreur moyenne sur ce qui est incertain</translation>
         </message>
         <message>
             <location filename="../../workbench/pictures/handles.py" />

@@ -8,6 +8,7 @@ import pytest
 from workbench.analysis.making.robust import expected_error
 from workbench.design.run import run
 from workbench.errors import Refused
+from workbench.geometry.as_made import AsMade
 from workbench.scene import Scene
 
 
@@ -45,12 +46,36 @@ class TestCases:
         )
         assert spread == pytest.approx((0.1, 0.1, 0.0))
 
+    @pytest.mark.parametrize(
+        ("uncertainty", "value", "expected"),
+        [
+            ({"source_size": 10.0}, lambda case: case.source.angular_diameter, (2.0, 0.2)),
+            ({"index": 0.01}, lambda case: case.optic.index, (1.5, 0.01)),
+            (
+                {"thickness": 0.02},
+                lambda case: (
+                    AsMade.of(case).heights({"lens.back": np.zeros((40, 40))})["lens.back"].mean()
+                ),
+                (0.0, 0.02),
+            ),
+        ],
+    )
+    def test_size_index_and_thickness(self, make_scene, uncertainty, value, expected):
+        sun = {"source": {"kind": "collimated", "angular_diameter": 2.0}}
+        scene = scene_of(make_scene, uncertainty, version=2, **sun)
+        cases = scene.uncertainty.cases(scene)
+        found = np.array([value(case.scene) for case in cases])
+        weights = np.array([case.probability for case in cases])
+        mean = weights @ found
+        assert len(cases) == 3
+        assert (mean, math.sqrt(weights @ (found - mean) ** 2)) == pytest.approx(expected)
+
     def test_one_without_deviations(self, make_scene):
         scene = scene_of(make_scene, {})
         assert scene.uncertainty.cases(scene) == ((scene, 1.0),)
 
 
-@pytest.mark.parametrize("uncertainty", [{"distance": 0.5}, {"source_tilt": 1.0}])
+@pytest.mark.parametrize("uncertainty", [{"distance": 0.5}, {"source_tilt": 1.0}, {"index": 0.03}])
 def test_the_mean_error_falls(make_scene, uncertainty):
     scene, target = scene_of(make_scene, uncertainty), letter()
     exact = scene.altered(uncertainty=type(scene.uncertainty)())

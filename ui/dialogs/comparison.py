@@ -35,6 +35,7 @@ class ComparisonDialog(QDialog):
         self.table.setRowCount(len(rows))
         for number, (name, value) in enumerate(rows):
             self.table.put(number, (capitalised(tr(name)), tr(value)))
+        self.table.setWordWrap(False)
         self.table.resizeRowsToContents()
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         role = QDialogButtonBox.ButtonRole.ActionRole

@@ -21,8 +21,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.messages import Message
-from workbench.scene import Element, Lens, Scene, SplineFace
-from workbench.scene.lens import denser
+from workbench.scene import Element, Scene, SplineFace
 from workbench.scene.turning import tilt_of, turned
 
 
@@ -44,10 +43,8 @@ class ElementError:
         place = element.position + turn[:, :2] @ self.decentre
         tilt = tilt_of(turn @ turned(tuple(np.degrees(self.tilt).tolist())))
         update: dict[str, Any] = {"position": tuple(place.tolist()), "tilt": tilt}
-        if self.index and isinstance(element, Lens):
-            lit = element.lit(scene.source.wavelength)
-            update["material"] = denser(lit.material, lit.index, self.index)
-        return element.model_copy(update=update)
+        moved = element.model_copy(update=update)
+        return moved.lit(scene.source.wavelength).denser(self.index) if self.index else moved
 
 
 @dataclass(frozen=True)
@@ -74,9 +71,8 @@ class Perturbation:
         if self.elements:
             scene, heights = self._moved(scene, heights)
         optic = scene.optic
-        if self.index and isinstance(optic, Lens):
-            material = denser(optic.material, optic.index, self.index)
-            optic = optic.model_copy(update={"material": material})
+        if self.index:
+            optic = optic.denser(self.index)
         for number, (face, (amplitude, scale)) in enumerate(
             (
                 (optic.designed_face, self.surface),

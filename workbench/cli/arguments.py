@@ -5,7 +5,13 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from workbench import __version__
-from workbench.cli.design_arguments import add_benchmark, add_bound, add_design, add_sweep
+from workbench.cli.design_arguments import (
+    add_benchmark,
+    add_bound,
+    add_design,
+    add_robust,
+    add_sweep,
+)
 from workbench.cli.inspect_arguments import add_inspect
 from workbench.cli.lens_arguments import (
     add_export,
@@ -23,6 +29,7 @@ VERBS: dict[str, tuple[str, Callable[[Any], None]]] = {
     "design": ("design a lens", add_design),
     "bound": ("compute the least error that any lens can reach", add_bound),
     "sweep": ("design many lenses: several scenes, fields that vary", add_sweep),
+    "robust": ("design compromises for what is uncertain of a set-up", add_robust),
     "validate": ("check a lens by an independent trace", add_validate),
     "tolerances": ("find how small errors of a lens change its image", add_tolerances),
     "manufacture": ("compute thickness, slope and radii; compare with limits", add_manufacture),

@@ -15,7 +15,7 @@ from workbench.analysis.benchmark.names import (
 )
 from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.errors import Refused
-from workbench.files.atomic import check_writable, replacing
+from workbench.files.atomic import check_writable, make_folder, replacing
 
 
 def benchmark(
@@ -71,10 +71,7 @@ def _check(names: Sequence[str], folder: Path, against: Path | None) -> None:
             raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
         if against is not None and name not in WITH_CURVES:
             raise Refused(name, f"has no curves; --against is for {', '.join(WITH_CURVES)}")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    make_folder(folder)
     for name in names:
         check_writable(folder / f"{name}.png")
 

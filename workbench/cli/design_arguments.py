@@ -7,6 +7,7 @@ is documented here and not again with the function that it is for.
 import argparse
 import math
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from workbench.analysis.benchmark.names import (
     WITH_PICTURES,
     Settings,
 )
-from workbench.cli.parser import add_json, add_verb, count, positive, rays
+from workbench.cli.parser import add_json, add_plot, add_verb, count, positive, rays
 
 
 def add_design(commands: Any) -> None:
@@ -106,6 +107,59 @@ def _run_bound(options: argparse.Namespace) -> None:
     from workbench.cli.bound import bound
 
     bound(options.scene, options.json)
+
+
+def add_robust(commands: Any) -> None:
+    """Add ``freeform robust``."""
+    parser = add_verb(
+        commands,
+        "robust",
+        "Design a lens for each part of the scene's uncertainty, and show what the exact set-up "
+        "loses and the mean over all set-ups gains.",
+        [
+            "robust street.json --plot compromise.png",
+            "robust street.json --shares 0 0.5 1 --iterations 50 -o designs/",
+        ],
+        _run_robust,
+    )
+    parser.add_input(
+        "scene", role="the scene", metavar="SCENE", help="scene file, or session to start from"
+    )
+    parser.add_argument(
+        "--shares",
+        metavar="PART",
+        nargs="+",
+        type=_share,
+        default=(0.0, 0.25, 0.5, 1.0),
+        help="parts of the standard deviations that designs know; 0 is the exact set-up "
+        "[0 0.25 0.5 1]",
+    )
+    parser.add_argument(
+        "--iterations", metavar="N", type=int, help="upper limit of each, in place of the scene's"
+    )
+    parser.add_output("-o", dest="folder", metavar="FOLDER", help="where the sessions go")
+    add_plot(parser, "draw the mean error against that in the exact set-up")
+    add_json(parser)
+
+
+def _share(text: str) -> float:
+    with suppress(ValueError):
+        if 0 <= (number := float(text)) <= 1:
+            return number
+    raise argparse.ArgumentTypeError(f"{text!r}; a number from 0 to 1 is needed")
+
+
+def _run_robust(options: argparse.Namespace) -> None:
+    from workbench.cli.robust import robust
+
+    robust(
+        options.scene,
+        options.shares,
+        options.iterations,
+        options.folder,
+        options.plot,
+        options.json,
+    )
 
 
 def add_sweep(commands: Any) -> None:

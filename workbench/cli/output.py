@@ -15,8 +15,7 @@ from tqdm import tqdm
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Pace, Snapshot
-from workbench.errors import Refused
-from workbench.files.atomic import check_writable, replacing
+from workbench.files.atomic import check_writable, make_folder, replacing
 from workbench.files.export.options import GROUPS
 from workbench.files.export.write import export as write_all
 from workbench.files.session import read_session
@@ -54,10 +53,7 @@ def pictures(path: Path, folder: Path, stops: float | None = None, light: str = 
     """
     session = read_session(path)
     result_of(session, str(path))
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+    make_folder(folder)
     drawn = [(name, write, session) for name, write in PICTURES.items()]
     images = [(session.of_image(number), number) for number in range(len(session.scene.receivers))]
     drawn += [(_named("irradiance", number), write_images, shown) for shown, number in images[1:]]

@@ -52,6 +52,14 @@ def check_writable(path: Path) -> None:
             pass
 
 
+def make_folder(folder: Path) -> None:
+    """Make a folder if it is missing; raise Refused if that fails."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+
+
 def remove_left_behind(path: Path) -> None:
     """Remove temporary files of killed processes for a path; `replacing` does so too."""
     for left in path.parent.glob(f".{_mark(path)}.*.tmp"):

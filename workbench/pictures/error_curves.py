@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
 
     from workbench.analysis.focus import Focus
+    from workbench.analysis.making.robust import Compromise
     from workbench.design.session import Checked
 
 _DPI = 150
@@ -130,6 +131,33 @@ def write_errors(path: Path | BinaryIO, nominal: float, errors: Sequence[float])
     figure = Figure(figsize=(6, 4), layout="constrained")
     draw_errors(figure.subplots(), nominal, errors)
     figure.savefig(path, dpi=_DPI, format="png")
+
+
+def draw_compromises(axes: "Axes", found: Sequence["Compromise"]) -> None:
+    """Draw the mean error over what is uncertain against the error in the exact set-up."""
+    exact, mean = (
+        [100 * getattr(each.error, name) for each in found] for name in ("exact", "mean")
+    )
+    axes.plot(exact, mean, "o-", color=_BLUE, markersize=5, linewidth=1.5)
+    for each, x, y in zip(found, exact, mean, strict=True):
+        text = f"{100 * each.share:g} %"
+        axes.annotate(text, (x, y), (6, 6), textcoords="offset points", fontsize=FONT)
+    axes.margins(0.15)
+    label_curves(
+        axes,
+        f"{Message('error in the exact set-up')} (%)",
+        f"{Message('mean error over what is uncertain')} (%)",
+    )
+    set_tick_labels(axes, "x")
+    set_tick_labels(axes, "y")
+    axes.set_title("labels: part of the uncertainty that the design knew", fontsize=FONT)
+
+
+def write_compromises(file: BinaryIO, found: Sequence["Compromise"]) -> None:
+    """Write `draw_compromises` as PNG; raise OSError if that fails."""
+    figure = Figure(figsize=(6, 4), layout="constrained")
+    draw_compromises(figure.subplots(), found)
+    figure.savefig(file, dpi=_DPI, format="png")
 
 
 class Curve(NamedTuple):

@@ -164,6 +164,10 @@ class Element(Standing, Part):
         """Return the element as light of a wavelength meets it."""
         return self
 
+    def denser(self, off: float) -> Self:
+        """Return the element with a refractive index that is off; one without glass as it is."""
+        return self
+
     @property
     def _shaped(self) -> PlacedFace:
         return self.placed_faces[-1]

@@ -205,6 +205,10 @@ class Lens(Element):
         copy._wavelength = wavelength_um
         return copy
 
+    def denser(self, off: float) -> Self:
+        """See `Element.denser`."""
+        return self.model_copy(update={"material": denser(self.material, self.index, off)})
+
     @property
     def entrance_z(self) -> float:
         """Z of the vertex of the front face, scene units."""

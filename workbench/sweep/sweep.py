@@ -15,7 +15,7 @@ from typing import Any, Protocol, TypeVar
 
 from workbench.design.session import VerifiedError
 from workbench.errors import Refused
-from workbench.files.atomic import check_writable, locked, replacing
+from workbench.files.atomic import check_writable, locked, make_folder, replacing
 from workbench.files.session import Session, read_session, write_session
 from workbench.sweep.points import Point, key_of, shown
 from workbench.sweep.processes import DesignTask, Done, Failed
@@ -71,10 +71,7 @@ class Store:
     """Folder of a sweep, made if missing; raise Refused if it is not writable."""
 
     def __init__(self, folder: Path) -> None:
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise Refused(str(folder), f"cannot be made: {error.strerror or error}") from error
+        make_folder(folder)
         check_writable(folder / TABLES[0])
         self.folder = folder
 

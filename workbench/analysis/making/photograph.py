@@ -21,7 +21,12 @@ from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.progress import Steps
 from workbench.scene import Scene
-from workbench.scene.making.uncertainty import Uncertainty, farther, way_to
+from workbench.scene.making.uncertainty import (
+    Uncertainty,
+    farther,
+    way_to,
+    with_source_size,
+)
 from workbench.scene.turning import tilted
 from workbench.targets.raster import averaged
 
@@ -208,7 +213,7 @@ def _changes(scene: Scene) -> list[_Change]:
         _Change(Message("tilt about y"), "°", 1.0, partial(_tilted, 1)),
     ]
     if scene.source.continuous:
-        found.append(_Change(Message("source size"), "times", 0.1, _larger))
+        found.append(_Change(Message("source size"), "times", 0.1, with_source_size))
     return found
 
 
@@ -224,10 +229,6 @@ def _tilted(axis: int, scene: Scene, by: float) -> Scene:
     receiver = scene.receiver
     turn = receiver.sides.T @ tilted((angles[0], angles[1], angles[2]))
     return scene.with_receiver(receiver.seen(None, turn, 1.0))
-
-
-def _larger(scene: Scene, by: float) -> Scene:
-    return scene.model_copy(update={"source": scene.source.resized(1 + by)})
 
 
 def _light(scene: Scene, target: Array, heights: Mapping[str, Array]) -> Array:

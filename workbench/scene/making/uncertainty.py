@@ -3,12 +3,13 @@
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated, NamedTuple, Self
 
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene.fields import ANGLE, LENGTH, about
+from workbench.scene.fields import ANGLE, LENGTH, Measure, about
+from workbench.scene.making.process import Process
 from workbench.scene.part import NonNegative, Part
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.turning import turned
@@ -22,6 +23,18 @@ class Case(NamedTuple):
 
     scene: "Scene"
     probability: float
+
+
+def _known(deviation: float) -> bool:
+    return deviation == 0
+
+
+class _Layer(Process):
+    thickness: float
+
+    @property
+    def removed(self) -> float:
+        return -self.thickness
 
 
 class Uncertainty(Part):
@@ -49,6 +62,39 @@ class Uncertainty(Part):
         about("Source tilt", "Of collimated light, about x and about y.", le=10),
     ] = 0.0
 
+    source_size: Annotated[
+        NonNegative,
+        Measure("%", "percent"),
+        about(
+            "Source size",
+            "Of an extended source, in percent of its size.",
+            le=20,
+            exclude_if=_known,
+        ),
+    ] = 0.0
+    index: Annotated[
+        NonNegative,
+        about(
+            "Index",
+            "Of the refractive index of designed lenses.",
+            le=0.05,
+            exclude_if=_known,
+        ),
+    ] = 0.0
+    thickness: Annotated[
+        NonNegative,
+        LENGTH,
+        about(
+            "Thickness",
+            "Of the material of designed lenses at each freeform face.",
+            exclude_if=_known,
+        ),
+    ] = 0.0
+
+    def known(self, share: float) -> Self:
+        """Return the part of the uncertainty that is this share of its deviations."""
+        return type(self)(**{name: share * each for name, each in self.model_dump().items()})
+
     def cases(self, scene: "Scene") -> tuple[Case, ...]:
         """Return the scene itself and those at the deviations, all of them without uncertainty."""
         scene = scene.model_copy(update={"uncertainty": Uncertainty()})
@@ -63,6 +109,11 @@ class Uncertainty(Part):
         if self.distance:
             ways.append(self._farther)
         placed = scene.source.place is not None
+        if self.source_size and scene.source.continuous:
+            ways.append(self._larger)
+        if scene.optic.index > 1:  # else there is no glass
+            ways += [self._denser] if self.index else []
+            ways += [self._thicker] if self.thickness else []
         if self.source_shift and placed:
             ways += [partial(self._shifted, axis) for axis in (0, 1)]
         if self.source_tilt and not placed:
@@ -71,6 +122,19 @@ class Uncertainty(Part):
 
     def _farther(self, scene: "Scene", deviations: float) -> "Scene":
         return farther(scene, deviations * self.distance)
+
+    def _larger(self, scene: "Scene", deviations: float) -> "Scene":
+        return with_source_size(scene, deviations * self.source_size / 100)
+
+    def _denser(self, scene: "Scene", deviations: float) -> "Scene":
+        for number in scene.designed_numbers:
+            element = scene.elements[number].lit(scene.source.wavelength)
+            scene = scene.with_element(number, element.denser(deviations * self.index))
+        return scene
+
+    def _thicker(self, scene: "Scene", deviations: float) -> "Scene":
+        layer = _Layer(thickness=deviations * self.thickness)
+        return scene.model_copy(update={"processes": (*scene.processes, layer)})
 
     def _shifted(self, axis: int, scene: "Scene", deviations: float) -> "Scene":
         place = np.array(scene.source.place)
@@ -82,6 +146,11 @@ class Uncertainty(Part):
         angles[axis] = deviations * self.source_tilt
         turn = turned((angles[0], angles[1]))
         return scene.model_copy(update={"source": scene.source.standing(None, turn)})
+
+
+def with_source_size(scene: "Scene", more: float) -> "Scene":
+    """Return the scene with a source that is larger by a part of its size."""
+    return scene.model_copy(update={"source": scene.source.resized(1 + more)})
 
 
 def way_to(scene: "Scene", receiver: AnyReceiver) -> Array:
