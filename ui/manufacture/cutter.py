@@ -4,19 +4,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QHBoxLayout,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-from ui.background import Background, Task
-from ui.manufacture.option_fields import OptionDialog, OptionFields, keep_options, kept_options
+from ui.background import Task
+from ui.manufacture.option_fields import (
+    OptionDialog,
+    OptionFields,
+    WorkDialog,
+    keep_options,
+    kept_options,
+)
 from ui.widgets.controls import STRETCH, filled
-from ui.widgets.labels import WrappedLabel
 from ui.words import capitalised, later, tr
 from workbench.files.export.formats import GCODE, Format
 from workbench.files.export.options import Chosen, Cutting
@@ -62,89 +60,67 @@ class AskOptions:
             dialog.deleteLater()
 
 
-class CutterDialog(QDialog):
+class CutterDialog(WorkDialog):
     """Fields of a cut, and the result of its simulation."""
 
     def __init__(self, session: Session, begin_with: Cutting, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Ball cutter"))
         self._session, self._unit = session, session.scene.unit
+        self.fields = OptionFields(self._unit, begin_with)
+        name = later("simulation of the cut")
+        super().__init__(tr("Ball cutter"), tr(_ABOUT), self.fields, name, window)
         self.plan: CutPlan | None = None
         self._fitting = 0.0
-        self.fields = OptionFields(self._unit, begin_with)
-        self.fields.changed.connect(self._follow)
-        self.found = WrappedLabel()
-        self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.found.setAccessibleName(tr("Result of the simulation"))
-        self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
-        self.found.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self._working = ""  # a text with the percentage that is done
+        self.fields.changed.connect(self.simulate)
+        self.state.setAccessibleName(tr("Result of the simulation"))
+        self.state.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
+        self.state.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.fit = QPushButton()
         self.fit.clicked.connect(self._take_fitting)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.write = buttons.addButton(tr("&Write G-code…"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.look = buttons.addButton(tr("&Trace light"), QDialogButtonBox.ButtonRole.ActionRole)
-        self.look.setToolTip(tr("Compare the image of the lens as made with the lens as designed"))
-        self.look.clicked.connect(self.trace)
-        buttons.accepted.connect(self._accept)
-        buttons.rejected.connect(self.reject)
-        about, below = WrappedLabel(tr(_ABOUT)), filled(QHBoxLayout(), STRETCH, self.fit)
-        filled(QVBoxLayout(self), about, self.fields, self.found, below, buttons)
+        self.write = self._button(tr("&Write G-code…"), "")
+        tip = tr("Compare the image of the lens as made with the lens as designed")
+        self.look = self._button(tr("&Trace light"), tip, self.trace)
+        filled(self._column, filled(QHBoxLayout(), STRETCH, self.fit), self._buttons)
         self._goes_on = False  # whether the keyboard was at the button
-        self._background = Background(later("simulation of the cut"), self)
-        self._background.progressed.connect(self._show_progress)
-        self._background.done.connect(self._show_outcome)
-        self._background.failed.connect(self._show_failure)
-        self.finished.connect(self._background.close)
         self.simulate()
 
     @property
     def options(self) -> tuple[Cutting, ...]:
         return () if self.plan is None else (self.plan.cutting,)
 
+    def accept(self) -> None:
+        if self.plan is not None:
+            super().accept()
+
     def simulate(self) -> None:
-        self._forget()
+        self.background.cancel()
+        self.plan = None
+        self.write.setEnabled(False)
+        self.look.setEnabled(False)
+        self.fit.hide()
         if self.fields.refused:
-            self.found.clear()
+            self.state.clear()
             return
-        self._begin(tr("Simulating the cut: {percent} %"))
-        self._background.begin(partial(_plan, self._session, self.fields.options))
+        work = partial(_plan, self._session, self.fields.options)
+        self._begin(tr("Simulating the cut: {percent} %"), work)
 
     def trace(self) -> None:
         if self.plan is not None:
             self._goes_on = self.look.hasFocus()
             self.look.setEnabled(False)
-            self._begin(f"{_words(self.plan, self._unit)}\n{tr('Tracing: {percent} %')}")
-            self._background.begin(partial(_trace, self._session, self.plan))
+            working = f"{_words(self.plan, self._unit)}\n{tr('Tracing: {percent} %')}"
+            self._begin(working, partial(_trace, self._session, self.plan))
 
-    def _follow(self) -> None:
-        self._background.cancel()
-        self.simulate()
-
-    def _forget(self) -> None:
-        self.plan = None
-        self.write.setEnabled(False)
-        self.look.setEnabled(False)
-        self.fit.hide()
-
-    def _begin(self, working: str) -> None:
-        self._working = working
-        self._show_progress(None, 0.0)
-
-    def _show_progress(self, _: object, done: float) -> None:
-        self.found.setText(self._working.format(percent=round(100 * done)))
-
-    def _show_outcome(self, _: None, found: "CutPlan | str | None") -> None:
+    def _show_outcome(self, _: object, found: "CutPlan | str | None") -> None:
         if isinstance(found, str):
             assert self.plan is not None
-            self.found.setText(f"{_words(self.plan, self._unit)}\n{found}")
+            self.state.setText(f"{_words(self.plan, self._unit)}\n{found}")
         elif found is not None:
             self._judge(found)
         self._allow_trace()
 
     def _show_failure(self, reason: str) -> None:
         verdict = "" if self.plan is None else f"{_words(self.plan, self._unit)}\n"
-        self.found.setText(f"{verdict}\N{WARNING SIGN} {reason}")
+        self.state.setText(f"{verdict}\N{WARNING SIGN} {reason}")
         self._allow_trace()
 
     def _allow_trace(self) -> None:
@@ -159,19 +135,15 @@ class CutterDialog(QDialog):
             self.plan = plan
             self.write.setEnabled(True)
             self.write.setDefault(True)
-            self.found.setText(_words(plan, self._unit))
+            self.state.setText(_words(plan, self._unit))
             return
-        self.found.setText(f"\N{WARNING SIGN} {tr(refusal.reason)}")
+        self.state.setText(f"\N{WARNING SIGN} {tr(refusal.reason)}")
         self._fitting = plan.default_radius
         self.fit.setText(tr("Use {radius}").format(radius=written(self._fitting, self._unit, 2)))
         self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
         self.fields.enter(cutter=None, tool_radius=float(f"{self._fitting:.2g}"))
-
-    def _accept(self) -> None:
-        if self.plan is not None:
-            self.accept()
 
 
 def _words(plan: "CutPlan", unit: str) -> str:

@@ -1,24 +1,21 @@
 """Fields of a group of export options, from its description, and what was chosen last."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from typing import Any, Generic, Literal, TypeVar
 
 from annotated_types import Ge, Le
-from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
 
+from ui.background import Background, Work
 from ui.panels.edits import Edit
 from ui.panels.entries import RowForm, edited_data
 from ui.panels.fields import Row, described
 from ui.panels.rows import value_row
 from ui.widgets.controls import filled
+from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.option_groups import DEGREES, FEED, LENGTH, PERCENT, Option, OptionGroup
@@ -80,7 +77,7 @@ class OptionDialog(QDialog):
         self.fields = [OptionFields(unit, each) for each in begin_with]
         kinds = QDialogButtonBox.StandardButton
         buttons = QDialogButtonBox(kinds.Ok | kinds.Cancel)
-        buttons.accepted.connect(self._accept)
+        buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         filled(QVBoxLayout(self), *self.fields, buttons)
 
@@ -88,9 +85,50 @@ class OptionDialog(QDialog):
     def options(self) -> tuple[OptionGroup, ...]:
         return tuple(each.options for each in self.fields)
 
-    def _accept(self) -> None:
+    def accept(self) -> None:
         if not any(each.refused for each in self.fields):
-            self.accept()
+            super().accept()
+
+
+class WorkDialog(QDialog):
+    """Fields of work in a thread; its progress and its outcome stand below them."""
+
+    def __init__(self, title: str, about: str, fields: RowForm, name: str, window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle(title)
+        self.state, self._working = WrappedLabel(), ""  # a text with the percentage that is done
+        self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        self._column = filled(QVBoxLayout(self), WrappedLabel(about), fields, self.state)
+        self.background = Background(name, self)
+        self.background.progressed.connect(self._show_progress)
+        self.background.done.connect(self._show_outcome)
+        self.background.failed.connect(self._show_failure)
+        self.finished.connect(self.background.close)
+
+    def _button(self, text: str, tip: str, act: Callable[[], None] | None = None) -> QPushButton:
+        """Add a button that acts, or one that accepts."""
+        roles = QDialogButtonBox.ButtonRole
+        button = self._buttons.addButton(text, roles.ActionRole if act else roles.AcceptRole)
+        button.setToolTip(tip)
+        if act is not None:
+            button.clicked.connect(act)
+        return button
+
+    def _begin(self, working: str, work: Work) -> None:
+        self._working = working
+        self._show_progress(None, 0.0)
+        self.background.begin(work)
+
+    def _show_progress(self, _: object, done: float) -> None:
+        self.state.setText(self._working.format(percent=round(100 * done)))
+
+    def _show_outcome(self, _: object, found: Any) -> None: ...
+
+    def _show_failure(self, reason: str) -> None:
+        self.state.setText(f"\N{WARNING SIGN} {reason}")
 
 
 def option_row(name: str, about: Option, usual: Any) -> Row:

@@ -4,18 +4,12 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QWidget
 
-from ui.background import Background, Task
-from ui.manufacture.option_fields import OptionFields
+from ui.background import Task
+from ui.manufacture.option_fields import OptionFields, WorkDialog
 from ui.panels.edits import Edit
 from ui.widgets.controls import Table, filled
-from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.files.session import Session
@@ -32,54 +26,40 @@ _ABOUT = later(
 _ROWS = 12  # lines of text that the table is at least high
 
 
-class PlanDialog(QDialog):
+class PlanDialog(WorkDialog):
     """Finds plans for a lens; ``choose`` gets the edit that makes the lens by one of them."""
 
     def __init__(self, session: Session, choose: Callable[[Edit], object], window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Plan milling and polishing"))
+        self.fields = OptionFields(session.scene.unit, PlanOptions())
+        title, name = tr("Plan milling and polishing"), later("search for plans")
+        super().__init__(title, tr(_ABOUT), self.fields, name, window)
         self._session, self._choose = session, choose
         self._plans: tuple[ShopPlan, ...] = ()
-        self.fields = OptionFields(session.scene.unit, PlanOptions())
         self.fields.changed.connect(self._allow)
-        self.state = WrappedLabel()
         self.state.setAccessibleName(tr("Result of the search"))
         self.table = Table(tr("Plans"), len(_COLUMNS))
         self.table.setHorizontalHeaderLabels([tr(title) for title in _COLUMNS])
         self.table.setMinimumHeight(_ROWS * self.fontMetrics().lineSpacing())
         self.table.itemSelectionChanged.connect(self._allow)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.use = buttons.addButton(tr("&Use this plan"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.use.setToolTip(tr("Enter these processes; Continue then designs for them"))
-        self.again = buttons.addButton(tr("&Find plans"), QDialogButtonBox.ButtonRole.ActionRole)
-        self.again.clicked.connect(self.search)
-        buttons.accepted.connect(self._accept)
-        buttons.rejected.connect(self.reject)
-        filled(
-            QVBoxLayout(self),
-            WrappedLabel(tr(_ABOUT)),
-            self.fields,
-            self.state,
-            (self.table, 1),
-            buttons,
-        )
+        tip = tr("Enter these processes; Continue then designs for them")
+        self.use = self._button(tr("&Use this plan"), tip)
+        self.again = self._button(tr("&Find plans"), "", self.search)
+        filled(self._column, (self.table, 1), self._buttons)
         self.resize(72 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
-        self.background = Background(later("search for plans"), self)
-        self.background.progressed.connect(self._show_progress)
-        self.background.done.connect(self._show_found)
-        self.background.failed.connect(self._show_failure)
-        self.finished.connect(self.background.close)
         self.search()
 
     def search(self) -> None:
         self._show_plans(())
-        self._show_progress(None, 0.0)
-        self.background.begin(partial(_plans, self._session, self.fields.options))
+        work = partial(_plans, self._session, self.fields.options)
+        self._begin(tr("Comparing plans: {percent} %"), work)
 
-    def _show_progress(self, _: object, done: float) -> None:
-        self.state.setText(tr("Comparing plans: {percent} %").format(percent=round(100 * done)))
+    def accept(self) -> None:
+        plan = self._plans[self.table.currentRow()]
+        data = [process.model_dump(mode="json") for process in plan.processes]
+        self._choose(Edit("processes", tr("plan of manufacture"), {"processes": data}, alone=True))
+        super().accept()
 
-    def _show_found(self, _: object, found: "ShopPlans | None") -> None:
+    def _show_outcome(self, _: object, found: "ShopPlans | None") -> None:
         if found is not None:
             self.state.setText(
                 tr("Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.").format(
@@ -87,9 +67,6 @@ class PlanDialog(QDialog):
                 )
             )
             self._show_plans(found.plans)
-
-    def _show_failure(self, reason: str) -> None:
-        self.state.setText(f"\N{WARNING SIGN} {reason}")
 
     def _show_plans(self, plans: "tuple[ShopPlan, ...]") -> None:
         self._plans, unit = plans, self._session.scene.unit
@@ -112,12 +89,6 @@ class PlanDialog(QDialog):
     def _allow(self) -> None:
         self.again.setEnabled(not self.fields.refused)
         self.use.setEnabled(bool(self._plans) and self.table.currentRow() >= 0)
-
-    def _accept(self) -> None:
-        plan = self._plans[self.table.currentRow()]
-        data = [process.model_dump(mode="json") for process in plan.processes]
-        self._choose(Edit("processes", tr("plan of manufacture"), {"processes": data}, alone=True))
-        self.accept()
 
 
 def _plans(session: Session, options: PlanOptions, task: Task) -> "ShopPlans | None":

@@ -110,7 +110,7 @@ def test_the_element_of_a_file_is_chosen_where_several_are_designed(
 
 def test_a_test_tile_is_an_option_of_meshes(window, tmp_path, qtbot, monkeypatch):
     path = tmp_path / "tile.stl"
-    answer([lambda dialog: (dialog.fields[0].enter(tile_side=0.5, tile_x=-0.2), dialog._accept())])
+    answer([lambda dialog: (dialog.fields[0].enter(tile_side=0.5, tile_x=-0.2), dialog.accept())])
     export(window, path, qtbot, monkeypatch)
     assert trimesh.load_mesh(path).bounds[:, 0] == pytest.approx([-4.5, 0.5], abs=1e-4)
     assert "test tile, lengths in mm" in window.messages.text

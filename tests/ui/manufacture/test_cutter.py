@@ -127,10 +127,10 @@ class TestFields:
 
 
 def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
-    assert not dialog.write.isEnabled() and dialog.found.text() == "Simulating the cut: 0 %"
+    assert not dialog.write.isEnabled() and dialog.state.text() == "Simulating the cut: 0 %"
     qtbot.waitUntil(lambda: fits(dialog))
-    assert "The cutter fits. Radius 0.2 cm" in dialog.found.text()
-    assert "Nothing is cut too deep; up to 0.0019 cm of material remains" in dialog.found.text()
+    assert "The cutter fits. Radius 0.2 cm" in dialog.state.text()
+    assert "Nothing is cut too deep; up to 0.0019 cm of material remains" in dialog.state.text()
 
 
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
@@ -139,9 +139,9 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     monkeypatch.setattr("workbench.files.export.cut_plan._EXCESS", -1.0)
     dialog = open_dialog(Cutting(tool_radius=0.9, scallop=0.002))
     qtbot.waitUntil(dialog.fit.isVisible)
-    assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.found.text()
+    assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.state.text()
     assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
-    dialog._accept()
+    dialog.accept()
     assert dialog.isVisible()
     monkeypatch.undo()
     dialog.fit.click()
@@ -153,7 +153,7 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
 
 def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dialog, qtbot):
     dialog = open_dialog()
-    qtbot.waitUntil(lambda: dialog.found.text() == "Simulating the cut: 40 %")
+    qtbot.waitUntil(lambda: dialog.state.text() == "Simulating the cut: 40 %")
     dialog.reject()
     qtbot.waitUntil(held.is_set)
     assert dialog.plan is None
@@ -162,12 +162,12 @@ def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dia
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
     keep_options(settings, "cm", COARSE)
     ask = AskOptions(window, settings)
-    answer(lambda dialog: (dialog.fields.enter(feed=700.0), answer(CutterDialog._accept, fits)))
+    answer(lambda dialog: (dialog.fields.enter(feed=700.0), answer(CutterDialog.accept, fits)))
     plan = ask(designed, GCODE).plan
     assert plan.cutting == Cutting(tool_radius=0.2, scallop=0.002, feed=700.0)
     answer(lambda dialog: dialog.reject())
     assert ask(designed, GCODE) is None
-    answer(CutterDialog._accept, fits)
+    answer(CutterDialog.accept, fits)
     assert ask(designed, GCODE).plan.cutting == plan.cutting
 
 
@@ -179,10 +179,10 @@ def test_other_formats_ask_for_their_options_and_keep_them(designed, window, set
         cutting, drawing = dialog.fields
         cutting.enter(dialect="fanuc")
         drawing.enter(form_tolerance=-1.0)
-        dialog._accept()
+        dialog.accept()
         assert dialog.isVisible() and drawing.refused
         drawing.enter(form_tolerance=2e-4)
-        dialog._accept()
+        dialog.accept()
 
     package = format_of(Path("a.zip"))
     answer(fill_in, kind=OptionDialog)
@@ -190,7 +190,7 @@ def test_other_formats_ask_for_their_options_and_keep_them(designed, window, set
     assert ask(designed, package) == Chosen(expected)
     answer(lambda dialog: dialog.reject(), kind=OptionDialog)
     assert ask(designed, package) is None
-    answer(OptionDialog._accept, kind=OptionDialog)
+    answer(OptionDialog.accept, kind=OptionDialog)
     assert ask(designed, format_of(Path("a.pdf"))) == Chosen(expected[1:])
 
 
@@ -211,7 +211,7 @@ def test_the_pane_and_the_menu_lead_to_g_code(
     window.exporter._dialogs.to_save = lambda *_: written
     window.panes.show("manufacture")
     pane = window.loaded.manufacture
-    answer(CutterDialog._accept, fits)
+    answer(CutterDialog.accept, fits)
     buttons = {b.defaultAction(): b for b in pane.findChildren(QToolButton)}
     assert {window.commands["export"], window.commands["report"]} <= buttons.keys()
     buttons[window.commands["cut"]].click()
