@@ -104,11 +104,25 @@ class BrushTool(Tool):
     """A tool with a brush, which arrow keys move."""
 
     shows_net = True
-    keys: Set[int] = ARROWS.keys()
+    begins: Set[int] = frozenset()  # keys whose action begins where the brush is
 
     def __init__(self, view: SceneView, brush: Brush, parent: QObject) -> None:
         super().__init__(parent)
         self._view, self._brush = view, brush
+        self.keys = ARROWS.keys() | self.begins
+
+    def press(self, at: Pointer) -> bool:
+        index = self._brush.aim(at)
+        if index is not None:
+            self._begin(index, at)
+        return index is not None
+
+    def press_key(self, key: int) -> None:
+        index = self._brush.step(0, 0) if key in self.begins else None
+        if index is not None:
+            self._begin(index, None)
+
+    def _begin(self, index: tuple[int, int], at: Pointer | None) -> None: ...
 
     def repeat_key(self, key: int, fine: bool) -> None:
         if key in ARROWS:
@@ -141,7 +155,7 @@ class Lock(BrushTool):
     painted = Signal(str, object, bool)  # str, ndarray, bool
 
     cursor = Qt.CursorShape.PointingHandCursor
-    keys: Set[int] = ARROWS.keys() | _PAINTS
+    begins = _PAINTS
 
     def __init__(
         self, view: SceneView, brush: Brush, may: Callable[[], bool], parent: QObject
@@ -159,22 +173,10 @@ class Lock(BrushTool):
             "([\N{NO-BREAK SPACE}and\N{NO-BREAK SPACE}]): {words}. {count} locked"
         ).format(place=self._brush.place, words=self._brush.words, count=count)
 
-    def press(self, at: Pointer) -> bool:
-        index = self._brush.aim(at)
-        if index is None:
-            return False
-        self._begin(index)
-        return True
-
     def drag(self, at: Pointer) -> None:
         index = self._brush.follow(at)
         if index is not None:
             self._touch(index)
-
-    def press_key(self, key: int) -> None:
-        index = self._brush.step(0, 0) if key in _PAINTS else None
-        if index is not None:
-            self._begin(index)
 
     def release(self) -> None:
         paint, self._paint = self._paint, None
@@ -186,7 +188,7 @@ class Lock(BrushTool):
         if paint is not None:
             self._view.nets.show_locked(paint.before)
 
-    def _begin(self, index: tuple[int, int]) -> None:
+    def _begin(self, index: tuple[int, int], at: Pointer | None) -> None:
         if not self._may():
             return
         nets = self._view.nets
@@ -227,7 +229,7 @@ class Sculpt(BrushTool):
     refused = Signal(str)
 
     cursor = Qt.CursorShape.SizeVerCursor
-    keys: Set[int] = ARROWS.keys() | _RISES.keys()
+    begins = _RISES.keys()
 
     def __init__(
         self,
@@ -252,13 +254,6 @@ class Sculpt(BrushTool):
             )
         return text
 
-    def press(self, at: Pointer) -> bool:
-        index = self._brush.aim(at)
-        if index is None:
-            return False
-        self._begin(index, at)
-        return True
-
     def drag(self, at: Pointer) -> None:
         drag, sight = self._drag, self._view.sight
         if drag is None or drag.at is None or sight is None:
@@ -267,11 +262,6 @@ class Sculpt(BrushTool):
         (rise,) = sight.movement(drag.place, drag.along, moved)
         drag.at = at
         self._raise(drag, float(rise), at.fine)
-
-    def press_key(self, key: int) -> None:
-        index = self._brush.step(0, 0) if key in _RISES else None
-        if index is not None:
-            self._begin(index)
 
     def repeat_key(self, key: int, fine: bool) -> None:
         super().repeat_key(key, fine)
@@ -290,7 +280,7 @@ class Sculpt(BrushTool):
         if self._drag is None:
             super().turn_wheel(steps)
 
-    def _begin(self, index: tuple[int, int], at: Pointer | None = None) -> None:
+    def _begin(self, index: tuple[int, int], at: Pointer | None) -> None:
         optic, nets = self._view.optic, self._view.nets
         heights, net, face = self._heights(), nets.picture, nets.face
         if optic is None or net is None or heights is None:

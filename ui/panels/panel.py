@@ -308,43 +308,28 @@ class PartList(Row):
         down.setEnabled(0 <= current < last)
 
     def _append(self, which: int) -> None:
-        self._put(
-            [*self._parts, self._panel.new(which)],
-            tr("new {part}").format(part=self._called),
-            len(self._parts),
-        )
+        parts = [*self._parts, self._panel.new(which)]
+        self._put(parts, tr("new {part}"), len(self._parts))
 
     def _duplicate(self) -> None:
         current, parts = self.current, list(self._parts)
         place = self._panel.place_of_copy()
         parts.insert(place, self._panel.copy(parts[current]))
-        self._put(
-            parts,
-            tr("copy of {part} {number}").format(part=self._called, number=current + 1),
-            place,
-        )
+        self._put(parts, tr("copy of {part} {number}"), place)
 
     def _drop(self) -> None:
         current = self.current
         rest = [part for number, part in enumerate(self._parts) if number != current]
-        self._put(
-            rest,
-            tr("removal of {part} {number}").format(part=self._called, number=current + 1),
-            current,
-        )
+        self._put(rest, tr("removal of {part} {number}"), current)
 
     def _move(self, step: int) -> None:
         current, parts = self.current, list(self._parts)
         first = min(current, current + step)
         parts[first : first + 2] = self._panel.exchanged(*parts[first : first + 2])
-        self._put(
-            parts,
-            tr("move of {part} {number}").format(part=self._called, number=current + 1),
-            current + step,
-        )
+        self._put(parts, tr("move of {part} {number}"), current + step)
 
     def _put(self, parts: list[Part], text: str, chosen: int) -> None:
-        data = _data(parts)
+        data, text = _data(parts), text.format(part=self._called, number=self.current + 1)
         self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
         if _data(self._parts) == data:  # not refused
             self._list.setCurrentRow(min(chosen, len(parts) - 1))

@@ -3,10 +3,13 @@
 A moved slider is answered with few rays at once, and with many when it rests.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QSlider
@@ -14,10 +17,9 @@ from PySide6.QtWidgets import QPushButton, QSizePolicy, QSlider
 from ui.background import Background, Task
 from ui.document.frame import Frame, same_task
 from ui.views.light_images import LightImageView
-from ui.views.plot_view import PlotCanvas
+from ui.views.plot_view import PlotView
 from ui.views.shared_view import SharedView
-from ui.views.view import ComputingView, View
-from ui.widgets.figures import translate
+from ui.views.view import ComputingView
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.analysis.validation_figures import Validation
@@ -66,20 +68,18 @@ def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> Validat
 _LINES = 8  # of text, as high as it is beside an image
 
 
-class FocusCurveView(View):
+class FocusCurveView(PlotView):
     """Small plot of errors that grows as traces arrive."""
+
+    _curve: FocusCurve
 
     def __init__(self) -> None:
         super().__init__()
-        self._canvas = PlotCanvas(self)
-        self._box.addWidget(self._canvas)
         self.setMinimumHeight(self.sizeHint().height())
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setToolTip(tr("Relative L2 error against the distance; the dotted line is the screen"))
-        self._ends = (0.0, 1.0)
-        self._z = 0.0
+        self._ends, self._z = (0.0, 1.0), 0.0
         self._errors: dict[float, float] = {}
-        self._curve: FocusCurve | None = None
 
     def sizeHint(self) -> QSize:
         return QSize(super().sizeHint().width(), _LINES * self.fontMetrics().lineSpacing())
@@ -88,10 +88,11 @@ class FocusCurveView(View):
     def errors(self) -> list[tuple[float, float]]:
         return sorted(self._errors.items())
 
-    def begin(self, session: Session, ends: tuple[float, float]) -> None:
+    def begin(self, frame: Frame, ends: tuple[float, float]) -> None:
         """Remove all errors, for another lens."""
-        self._ends, self._errors, self._curve = ends, {}, None
-        self.show_design(session)
+        self._ends, self._errors = ends, {}
+        self.show_frame(frame)
+        self._begin_anew()
 
     def add(self, z: float, error: float) -> None:
         self._errors[z] = error
@@ -101,15 +102,12 @@ class FocusCurveView(View):
         self._z = z
         self._ask()
 
-    def _draw(self, session: Session, frame: Frame | None) -> None:
-        if self._curve is None:
-            self._curve = FocusCurve(self._canvas.begin(), session.scene, self._ends)
-            self._canvas.animate([self._curve.mark])
-            translate(self._canvas.figure)
-        self._canvas.show_changes(self._curve.update(self.errors, self._z))
+    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
+        self._curve = FocusCurve(axes, session.scene, self._ends)
+        return [self._curve.mark]
 
-    def _recolour(self) -> None:
-        self._canvas.recolour()
+    def _change(self, frame: Frame) -> bool:
+        return self._curve.update(self.errors, self._z)
 
 
 _TRACE = later("trace through focus")
@@ -264,7 +262,7 @@ class FocusView(LightImageView, ComputingView):
         places = [
             self._z_of(round(part)) for part in np.linspace(_NEAREST, _FARTHEST, _PLACES).tolist()
         ]
-        self._curve.begin(frame.session, (places[0], places[-1]))
+        self._curve.begin(frame, (places[0], places[-1]))
         self._curve.mark(self.z)
         lens = frame.session, frame.state.heights
         request = FocusRequest(*lens, tuple((z, _CURVE_RAYS) for z in places))

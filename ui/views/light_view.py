@@ -1,8 +1,8 @@
 """Light account."""
 
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QProgressBar, QWidget
 
 from ui.document.frame import Frame
 from ui.views.choices import ImageChoice
@@ -13,6 +13,7 @@ from workbench.files.session import Session
 from workbench.optics.account import keys_in, words_of
 from workbench.scene import Screen
 
+_WHOLE, _THICK = 1000, 6  # steps and pixels of a bar
 _SUM = later(("All parts", "Sum of all parts; 100 % when the account is complete."))
 
 
@@ -72,7 +73,9 @@ class _AccountLine:
     def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:
         self.name = QLabel(name)
         self.value = QLabel()
-        self._bar = _Bar()
+        self._bar = QProgressBar(maximum=_WHOLE, textVisible=False)
+        self._bar.setFixedHeight(_THICK)
+        self._bar.setMinimumWidth(20)
         self.value.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.value.setMinimumWidth(self.value.fontMetrics().horizontalAdvance("100.00 %"))
         row = grid.rowCount()
@@ -84,32 +87,11 @@ class _AccountLine:
 
     def clear(self) -> None:
         self.value.clear()
-        self._bar.show_share(0.0)
+        self._bar.setValue(0)
 
     def show_share(self, share: float) -> None:
         percent = round(100 * share, 2) + 0.0  # no minus before a zero
         self.value.setText(f"{percent:.2f} %")
-        self._bar.show_share(share)
+        self._bar.setValue(round(_WHOLE * min(max(share, 0.0), 1.0)))
         for label in (self.name, self.value):
             label.setEnabled(bool(percent))
-
-
-class _Bar(QWidget):
-    def __init__(self) -> None:
-        super().__init__()
-        self.setMinimumWidth(20)
-        self._share = 0.0
-
-    def show_share(self, share: float) -> None:
-        if share != self._share:
-            self._share = share
-            self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        thick = 5.0
-        painter = QPainter(self)
-        track = QRectF(0, (self.height() - thick) / 2, self.width(), thick)
-        painter.fillRect(track, self.palette().midlight())
-        track.setWidth(self.width() * min(max(self._share, 0.0), 1.0))
-        painter.fillRect(track, self.palette().highlight())
-        painter.end()
