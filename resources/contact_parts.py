@@ -15,7 +15,6 @@ from ui.commands.table import TOOLS
 from ui.dialogs.coach import MARKS, CoachMarks
 from ui.files.recovery import About, LeftBehind, ask
 from ui.main_window import MainWindow
-from ui.widgets.controls import MenuButton
 
 _MOMENT, _WHILE = 300, 1500  # milliseconds: to draw, and to compute what only eyes ask for
 _MAPS = ("surface", "manufacture")  # docks with a choice of maps
@@ -82,9 +81,8 @@ def forms(window: MainWindow) -> Iterator[QPixmap]:
 
 
 def menus(window: MainWindow) -> Iterator[QPixmap]:
-    """Every menu: those of the bar, those within, those of the plots."""
-    of_plots = [button.menu() for button in window.findChildren(MenuButton)]
-    for menu in (*window.commands.menus.values(), *of_plots):
+    """Every menu: those of the bar and those within."""
+    for menu in window.commands.menus.values():
         menu.popup(window.pos())
         settle(_MOMENT)
         yield menu.grab()

@@ -2265,6 +2265,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
+            <source>simulation of the cut</source>
+            <translation>Simulation des Schnitts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Ball cutter</source>
             <translation>Kugelfräser</translation>
         </message>
@@ -2280,18 +2285,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>&amp;Trace light</source>
-            <translation>Licht &amp;durchrechnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>Compare the image of the lens as made with the lens as designed</source>
             <translation>Bild der gefertigten Linse mit dem der entworfenen vergleichen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>simulation of the cut</source>
-            <translation>Simulation des Schnitts</translation>
+            <source>&amp;Trace light</source>
+            <translation>Licht &amp;durchrechnen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2560,6 +2560,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
+            <source>search for plans</source>
+            <translation>Suche nach Plänen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
             <source>Result of the search</source>
             <translation>Ergebnis der Suche</translation>
         </message>
@@ -2570,13 +2575,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>&amp;Use this plan</source>
-            <translation>Diesen Plan &amp;verwenden</translation>
+            <source>Enter these processes; Continue then designs for them</source>
+            <translation>Diese Verfahren eintragen; Fortsetzen entwirft dann für sie</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Enter these processes; Continue then designs for them</source>
-            <translation>Diese Verfahren eintragen; Fortsetzen entwirft dann für sie</translation>
+            <source>&amp;Use this plan</source>
+            <translation>Diesen Plan &amp;verwenden</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
@@ -2585,23 +2590,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>search for plans</source>
-            <translation>Suche nach Plänen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
             <source>Comparing plans: {percent} %</source>
             <translation>Pläne werden verglichen: {percent} %</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
-            <translation>Fehler wie entworfen {designed:.2f} %, nach Fertigung gewünscht {wanted:.2f} %.</translation>
+            <source>plan of manufacture</source>
+            <translation>Fertigungsplan</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>plan of manufacture</source>
-            <translation>Fertigungsplan</translation>
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
+            <translation>Fehler wie entworfen {designed:.2f} %, nach Fertigung gewünscht {wanted:.2f} %.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />

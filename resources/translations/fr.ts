@@ -2265,6 +2265,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
+            <source>simulation of the cut</source>
+            <translation>simulation de l'usinage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
             <source>Ball cutter</source>
             <translation>Fraise hémisphérique</translation>
         </message>
@@ -2280,18 +2285,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>&amp;Trace light</source>
-            <translation>&amp;Tracer la lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>Compare the image of the lens as made with the lens as designed</source>
             <translation>Comparer l'image de la lentille usinée à celle de la lentille conçue</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>simulation of the cut</source>
-            <translation>simulation de l'usinage</translation>
+            <source>&amp;Trace light</source>
+            <translation>&amp;Tracer la lumière</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2560,6 +2560,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
+            <source>search for plans</source>
+            <translation>recherche de plans</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/plan.py" />
             <source>Result of the search</source>
             <translation>Résultat de la recherche</translation>
         </message>
@@ -2570,13 +2575,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>&amp;Use this plan</source>
-            <translation>&amp;Utiliser ce plan</translation>
+            <source>Enter these processes; Continue then designs for them</source>
+            <translation>Entrer ces procédés ; Continuer conçoit ensuite pour eux</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Enter these processes; Continue then designs for them</source>
-            <translation>Entrer ces procédés ; Continuer conçoit ensuite pour eux</translation>
+            <source>&amp;Use this plan</source>
+            <translation>&amp;Utiliser ce plan</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
@@ -2585,23 +2590,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>search for plans</source>
-            <translation>recherche de plans</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/plan.py" />
             <source>Comparing plans: {percent} %</source>
             <translation>Comparaison des plans : {percent} %</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
-            <translation>Erreur telle que conçue {designed:.2f} %, voulue après fabrication {wanted:.2f} %.</translation>
+            <source>plan of manufacture</source>
+            <translation>plan de fabrication</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>plan of manufacture</source>
-            <translation>plan de fabrication</translation>
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
+            <translation>Erreur telle que conçue {designed:.2f} %, voulue après fabrication {wanted:.2f} %.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />

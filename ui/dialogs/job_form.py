@@ -44,7 +44,8 @@ class JobForm(RowForm):
         for row in self.rows:
             asked = self.light_asked if row.path == "file" else self.image_asked
             connect_asked([row], asked.emit)
-        heading = QLabel(tr(title_of(type(job))), objectName="title")
+        heading = QLabel(tr(title_of(type(job))))
+        heading.setObjectName("title")
         about = WrappedLabel(tr(summary_of(type(job))))
         filled(QVBoxLayout(self), heading, about, self.in_columns(), STRETCH)
         self.show_rows()

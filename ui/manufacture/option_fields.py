@@ -37,9 +37,10 @@ class OptionFields(RowForm, Generic[Group]):
         super().__init__(self._made(), lambda: self._data, self._enter)
         for row in self.rows:
             row.reserve_unit(FEED)
-        self.setLayout(self.in_columns(_COLUMN))
+        columns = self.in_columns(_COLUMN)
+        self.setLayout(columns)
         letters = _LETTERS * self.fontMetrics().averageCharWidth()
-        self.setMinimumWidth(letters * self.layout().count())
+        self.setMinimumWidth(letters * columns.count())
         self.show_rows()
 
     @property
