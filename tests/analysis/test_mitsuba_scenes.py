@@ -5,11 +5,18 @@ import pytest
 
 from resources import path
 from tests.diffusers import with_diffuser
+from workbench.analysis import mitsuba_elements as elements
 from workbench.analysis.cross_check import cross_check
+from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.mitsuba_elements import Coordinates
 from workbench.analysis.mitsuba_lights import mitsuba_lights
+from workbench.analysis.tracing.trace import Trace
+from workbench.geometry.ball_cutter import CutFace
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.progress import finished, no_progress
 from workbench.scene import Scene
+from workbench.scene.making.milling import Milling
 
 pytestmark = pytest.mark.full
 
@@ -138,6 +145,64 @@ def test_mitsuba_finds_the_same_light_of_a_diffuser(monkeypatch, scatter, tilt):
     assert found.ours.efficiency > 0.3
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.005)
     assert found.difference < 1.3 * found.noise
+
+
+def test_mitsuba_finds_the_light_of_a_cut_in_a_fine_mesh_of_it(make_scene, monkeypatch):
+    """The check knows scallops by their slopes; here Mitsuba meets the ridges themselves."""
+    changes = {
+        "version": 2,
+        "lens.control_points": [24, 24],
+        "lens.reflection": "fresnel",
+        "screen.half_width": [3.0, 3.0],
+        "screen.pixels": [24, 24],
+    }
+    scene = make_scene(changes)
+    (net,) = freeform_nets(scene.optic).values()
+    x, y = net.positions
+    heights = 0.5 + 0.08 * x[:, None] ** 2 - 0.05 * y**2 + 0.05 * x[:, None] * y
+    face = CutFace(net, heights, outline_of(scene.optic))
+    raster = finished(face.plan_raster(0.25, 0.005, 10**6))
+    step = float(raster.y[1] - raster.y[0])
+    ridges = (raster.y[1:] + raster.y[:-1]) / 2
+    inner = ridges[np.abs(ridges) < net.half_width[1]] / net.half_width[1]
+    v = np.interp(
+        np.linspace(0, len(inner) + 1, 24 * (len(inner) + 1) + 1),
+        np.arange(len(inner) + 2),
+        [-1, *inner, 1],
+    )
+    smooth, mesh = elements.face_points, elements._mesh
+
+    def points(element, placed, u, v, heights):
+        found = element.seen(smooth(element, placed, u, v, heights))
+        if placed.name in heights:
+            found[..., 2] = raster.cut_at(found[..., 0].ravel(), found[..., 1].ravel()).reshape(
+                found.shape[:2]
+            )
+        return element.in_scene(found)
+
+    monkeypatch.setattr(elements._Placed, "grid", lambda _: (np.linspace(-1, 1, 193), v))
+    monkeypatch.setattr(elements, "face_points", points)
+    monkeypatch.setattr(
+        elements, "_mesh", lambda placed, points, law, _=None: mesh(placed, points, law)
+    )
+    rays, faces = 150_000, {"lens.back": heights}
+    theirs = [MitsubaScene(scene, faces).flux(rays, seed, no_progress) for seed in (1, 2)]
+
+    def apart(scene):
+        """Difference to the check's image of a scene, without the scatter of the rays."""
+        ours = [
+            sum(batch.flux[0] for batch in Trace(scene, faces, 4 * rays, seed).batches())
+            for seed in (1, 2)
+        ]
+        (m_1, m_2), (o_1, o_2) = (
+            [each / each.sum() for each in images]
+            for images in (theirs, [o.reshape(24, 24) for o in ours])
+        )
+        return ((m_1 - o_1) * (m_2 - o_2)).sum() / (o_1 * o_2).sum()
+
+    milled = scene.altered(processes=(Milling(ball_radius=0.25, step_over=step),))
+    assert apart(scene) > 0.2**2
+    assert apart(milled) < 0.02**2
 
 
 def test_rays_of_mitsuba_start_at_an_emitter_just_before_a_dome():
