@@ -191,7 +191,10 @@ def test_mitsuba_finds_the_light_of_a_cut_in_a_fine_mesh_of_it(make_scene, monke
     def apart(scene):
         """Difference to the check's image of a scene, without the scatter of the rays."""
         ours = [
-            sum(batch.flux[0] for batch in Trace(scene, faces, 4 * rays, seed).batches())
+            sum(
+                batch.flux[0]
+                for batch in filter(None, Trace(scene, faces, 4 * rays, seed).batches())
+            )
             for seed in (1, 2)
         ]
         (m_1, m_2), (o_1, o_2) = (
