@@ -97,12 +97,13 @@ class Monitor(QObject):
             time.sleep(0.2)
             if not self._hangs and time.monotonic() - self._beat > HANG:
                 self._hangs = True
-                self._dump(f"the event loop has not answered for {HANG:.0f} s")
+                self.dump(f"the event loop has not answered for {HANG:.0f} s")
             if (memory := resident_mb()) > _MOST_MB:
-                self._dump(f"{memory:.0f} MB of memory")
+                self.dump(f"{memory:.0f} MB of memory")
                 os._exit(1)
 
-    def _dump(self, problem: str) -> None:
+    def dump(self, problem: str) -> None:
+        """Take note of a problem, and of what all threads do."""
         self.report(problem)
         faulthandler.dump_traceback(self._stacks, all_threads=True)
         self._log(self._state())

@@ -212,7 +212,7 @@ class Monkey(QObject):
         give_up = time.monotonic() + _PATIENCE
         while not condition():
             if time.monotonic() > give_up:
-                self.monitor.report(f"waited in vain for {what}; threads: {', '.join(_threads())}")
+                self.monitor.dump(f"waited in vain for {what}; threads: {', '.join(_threads())}")
                 return
             yield 100
 
