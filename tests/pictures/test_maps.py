@@ -72,7 +72,7 @@ def test_one_map_shows_where_any_limit_is_exceeded(maps):
     assert count.max() == 2
     assert hatched(axes, -0.98, 0.7) and not hatched(axes, 0.1, 0.0)
     part = (masks["slope"].mean(), masks["thickness"].mean(), (count == 0).mean())
-    steep, thick, within = (f"{100 * each:.0f} %" for each in part)
+    steep, thick, within = (f"{100 * each:.2g} %" for each in part)
     texts = [text.get_text() for text in axes.get_legend().get_texts()]
     assert texts == [f"Within limits ({within})", f"Thickness ({thick})", f"Slope ({steep})"]
     draw_map(axes := Figure().subplots(), "Limits", maps, Limits(), "cm")

@@ -125,13 +125,13 @@ def test_both_are_drawn_on_one_scale_and_subtracted(kept):
     drawn = Comparison(figure, (kept("dim", 0.1), kept("bright", 0.3)))
     one, other, difference = images(figure)
     assert one.get_clim() == other.get_clim()
-    np.testing.assert_allclose(difference.get_array(), 0.2)
-    assert difference.get_clim() == (-0.2, 0.2)
+    np.testing.assert_allclose(difference.get_array(), 0.8)  # of a screen of 4 cm²
+    assert difference.get_clim() == pytest.approx((-1.0, 1.0))
     names = [axes.get_title() for axes in figure.axes]
     assert names[:4] == ["dim", "bright", "Second minus first", "Loss"]
     losses = figure.axes[3].lines
     assert [line.get_label() for line in losses] == ["dim", "bright"]
-    assert drawn.in_words(figure.axes[2], 0.1, 0.1) == "0.1 → 0.3 / cm² at x = 0.1 cm, y = 0.1 cm"
+    assert drawn.in_words(figure.axes[2], 0.1, 0.1) == "0.4 → 1.2 × mean at x = 0.1 cm, y = 0.1 cm"
 
 
 def test_lines_of_equal_light_are_drawn_over_lighting_alone(kept):
@@ -151,7 +151,7 @@ def test_other_pixels_are_averaged_and_other_units_converted(kept):
     fine = kept("fine", 0.3, {"screen.pixels": [96, 64]})
     fine.result.state.irradiance[::2] = 0.5  # rows in turn: the mean counts
     assert Comparison(Figure(), (first, fine)).difference == pytest.approx(
-        np.full(first.target.shape, 0.3), abs=1e-12
+        np.full(first.target.shape, 1.2), abs=1e-12
     )
     in_mm = replace(
         first,
@@ -169,7 +169,7 @@ def test_receivers_that_cover_different_places_are_not_subtracted(kept):
     assert drawn.difference is None
     assert len(images(figure)) == 2
     assert "no difference image" in figure.axes[2].texts[0].get_text()
-    assert drawn.in_words(figure.axes[1], 1.5, 0) == "0.1 / cm² at x = 1.5 cm, y = 0 cm"
+    assert drawn.in_words(figure.axes[1], 1.5, 0) == "1.6 × mean at x = 1.5 cm, y = 0 cm"
 
 
 @pytest.fixture

@@ -90,9 +90,9 @@ def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line
     curves = SectionCurves(axes, scene, target)
     assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is True  # row 1, column 6
     wanted, light = (artist.get_data() for artist in curves.artists)
-    np.testing.assert_allclose(light, [positions, image[line]])
+    np.testing.assert_allclose(light, [positions, 8 * image[line]])  # of 8 cm²
     # As much light in all as the image has.
-    np.testing.assert_allclose(wanted, [positions, (target * image.sum() / target.sum())[line]])
+    np.testing.assert_allclose(wanted, [positions, (8 * target * image.sum() / target.sum())[line]])
     across = "y = 0.4" if along == "x" else "x = 1.1"
     assert axes.get_xlabel() == f"{along} (cm) at {across} cm"
     assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is False
@@ -124,7 +124,7 @@ def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
     IrradianceImage(figure.subplots(), scene, np.ones((4, 8))).update(image)
     x, y, values = shown_data(figure)
     assert [x.name, y.name] == ["x [cm]", "y [cm]"]
-    assert values.name == "irradiance [× mean]"
+    assert values.name == "irradiance [x mean]"
     np.testing.assert_allclose(x.values[:8], np.arange(-1.75, 2, 0.5))
     np.testing.assert_allclose(y.values[::8], [0.75, 0.25, -0.25, -0.75])
     np.testing.assert_allclose(values.values, 8 * image.ravel(), rtol=1e-12)  # cm² of the screen
@@ -138,8 +138,8 @@ def test_curves_of_the_same_places_share_them(scene, figure, rng):
     columns = shown_data(figure)
     assert [column.name for column in columns] == [
         "x [cm] at y = 0.1 cm",
-        "target: × mean",
-        "irradiance: × mean",
+        "target: x mean",
+        "irradiance: x mean",
     ]
     np.testing.assert_allclose(columns[2].values, 8 * image[1], rtol=1e-12)
 

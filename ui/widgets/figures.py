@@ -4,15 +4,21 @@ import re
 from collections.abc import Collection, Iterable
 from typing import cast
 
+from matplotlib import rcParams
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
+from matplotlib.font_manager import fontManager
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+import resources
 from ui.words import tr
 from workbench.pictures.axes import paint
+
+fontManager.addfont(resources.path("fonts", "Inter-Regular.otf"))
+rcParams["font.family"] = ["Inter", *rcParams["font.family"]]  # the latter for missing signs
 
 
 class FigureCanvas(FigureCanvasQTAgg):

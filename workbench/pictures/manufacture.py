@@ -21,6 +21,7 @@ from workbench.pictures.axes import (
     map_image,
     show_constant,
 )
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,7 +93,9 @@ def _draw_limits(
     areas = {inside: count == 0, **{capitalised(key): mask & whole for key, mask in broken.items()}}
     seen = {name: 100 * mask.sum() / whole.sum() for name, mask in areas.items() if mask.any()}
     shown = [Patch(facecolor=WITHIN if name == inside else BEYOND) for name in seen]
-    axes.legend(shown, [f"{name} ({part:.2g} %)" for name, part in seen.items()], fontsize=FONT)
+    axes.legend(
+        shown, [f"{name} ({written(part, '%', 2)})" for name, part in seen.items()], fontsize=FONT
+    )
     return np.asarray(count)
 
 

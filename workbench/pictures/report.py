@@ -152,7 +152,11 @@ class Pages:
         pages = self._paginated()
         metadata = {"Title": title, "Creator": self._foot, "CreationDate": dated}
         # Fonts are embedded as TrueType, so that the text can be found and copied.
-        with matplotlib.rc_context({"pdf.fonttype": 42}), PdfPages(file, metadata=metadata) as pdf:
+        usual = matplotlib.rcParamsDefault["font.family"]
+        with (
+            matplotlib.rc_context({"pdf.fonttype": 42, "font.family": usual}),
+            PdfPages(file, metadata=metadata) as pdf,
+        ):
             for number, blocks in enumerate(pages, 1):
                 page = self._page(blocks, f"{self._foot} · {number} / {len(pages)}")
                 _fix_layout(page)

@@ -76,7 +76,7 @@ def test_numbers_are_saved(plots, views, frame, tmp_path, qtbot):
         plots.save("irradiance", tmp_path / "light.csv")
     with open(tmp_path / "light.csv", encoding="utf-8") as file:
         header, *rows = csv.reader(file)
-    assert header == ["x [cm]", "y [cm]", "irradiance [× mean]"]
+    assert header == ["x [cm]", "y [cm]", "irradiance [x mean]"]
     values = np.array(rows, dtype=float)[:, 2]
     np.testing.assert_allclose(
         values.mean(),

@@ -7,6 +7,7 @@ from ui.views import focus_view
 from ui.views.focus_view import FocusView
 from workbench.analysis.validation import validate, validating
 from workbench.geometry.faces import FaceArrays
+from workbench.measured.lamps import light_unit
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -65,7 +66,8 @@ def traced(view, frame, qtbot, rays=MANY):
     scene, target = frame.session.scene, frame.session.target
     heights = frame.state.heights["lens.back"]
     wanted = validate(scene, target, {"lens.back": heights}, rays, screen_z=view.z)
-    qtbot.waitUntil(lambda: np.array_equal(view._values, wanted.irradiance), timeout=30_000)
+    light = light_unit(scene).density * wanted.irradiance
+    qtbot.waitUntil(lambda: np.array_equal(view._values, light), timeout=30_000)
     return wanted
 
 

@@ -45,7 +45,7 @@ def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
         view.show_frame(frame)
     lit, wanted, off, section, light = views
     qtbot.waitUntil(lambda: all(view._values is not None for view in views[:3]))
-    np.testing.assert_array_equal(lit._values, frame.state.irradiance)
+    np.testing.assert_array_equal(lit._values, 4 * frame.state.irradiance)  # of 4 cm²
     chooser = choice(lit)
     assert [chooser.itemText(k) for k in (0, 1)] == ["Image 1, z = 5 cm", "Image 2, z = 6 cm"]
     chooser.setCurrentIndex(1)
@@ -53,10 +53,10 @@ def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
     qtbot.waitUntil(lambda: all(view._values.shape == (32, 24) for view in views[:3]))
     scene, target, _ = frame.session.scene.wanted(frame.session.target)[1]
     elsewhere = frame.state.further[0].irradiance
-    np.testing.assert_array_equal(lit._values, elsewhere)
+    np.testing.assert_array_equal(lit._values, 6 * elsewhere)  # of 6 cm²
     flux = scene.receiver.total(elsewhere)
     wanted_light = target_irradiance(scene, target, flux)
-    np.testing.assert_array_equal(wanted._values, wanted_light)
+    np.testing.assert_array_equal(wanted._values, 6 * wanted_light)
     np.testing.assert_array_equal(off._values, shown_error(scene, target, elsewhere))
     qtbot.waitUntil(lambda: section._shown.scene.receiver == scene.receiver)
     qtbot.waitUntil(lambda: light.texts()["On the screen"] == "30.00 %")

@@ -124,12 +124,12 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     qtbot.mouseMove(views[1]._canvas, place(views[1], x, y))
     image, scene = frame.state.irradiance, session.scene
     wanted = [
-        image[26, 22],
-        target_irradiance(scene, session.target, scene.receiver.total(image))[26, 22],
+        4 * image[26, 22],  # of a screen of 4 cm²
+        4 * target_irradiance(scene, session.target, scene.receiver.total(image))[26, 22],
         shown_error(scene, session.target, image)[26, 22],
     ]
     for view, value in zip(views, wanted, strict=True):
-        assert view._readout.text().startswith(f"{value:.4g} / cm² at x = 0.4")
+        assert view._readout.text().startswith(f"{value:.4g} × mean at x = 0.4")
     qtbot.mouseMove(views[1]._canvas, QPoint(views[1]._canvas.width() // 2, -2))
     assert {view._readout.text() for view in views} == {"Viewed from behind the screen"}
 
@@ -139,17 +139,17 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(
 ):
     image = frame.state.irradiance
     light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
-    np.testing.assert_array_equal(light(), image[16])
+    np.testing.assert_array_equal(light(), 4 * image[16])
     qtbot.mouseClick(
         views[2]._canvas, Qt.MouseButton.LeftButton, pos=place(views[2], 0.40625, -0.65625)
     )
-    qtbot.waitUntil(lambda: len(light()) and np.array_equal(light(), image[26]))
+    qtbot.waitUntil(lambda: len(light()) and np.array_equal(light(), 4 * image[26]))
     assert " at y = -0.6" in section._curves._axes.get_xlabel()
     choose(section, 1)
-    qtbot.waitUntil(lambda: np.array_equal(light(), image[::-1, 22]))
+    qtbot.waitUntil(lambda: np.array_equal(light(), 4 * image[::-1, 22]))
     wanted = section._curves.artists[0].get_ydata()
     assert wanted.max() == pytest.approx(
-        image.mean() * 4 * target_irradiance(session.scene, session.target)[:, 22].max()
+        4 * image.mean() * 4 * target_irradiance(session.scene, session.target)[:, 22].max()
     )
     qtbot.waitUntil(lambda: views[1]._marks[0].get_visible())
     section.hide()
@@ -254,7 +254,7 @@ def test_the_pinned_image_stays_while_others_come_and_is_removed(views, pinned, 
     for view in (light, pinned):
         view.show_frame(other)
         view.show_outdated(True)
-    qtbot.waitUntil(lambda: light._values.max() == 1)
+    qtbot.waitUntil(lambda: light._values.max() == 4)
     qtbot.wait(100)
     np.testing.assert_array_equal(pinned._values, before)
     assert light.outdated and not pinned.outdated
