@@ -2600,8 +2600,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
-            <translation>Fehler wie entworfen {designed:.2f} %, nach Fertigung gewünscht {wanted:.2f} %.</translation>
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %; ball radius {radius}.</source>
+            <translation>Fehler wie entworfen {designed:.2f} %, nach Fertigung gewünscht {wanted:.2f} %; Kugelradius {radius}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -8216,13 +8216,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the ball cutter. Empty: one that fits everywhere.</source>
-            <translation>Radius des Kugelfräsers. Leer: einer, der überall passt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>one that fits</source>
-            <translation>eine passende</translation>
+            <source>Radius of the ball cutter. Empty: the largest standard cutter that fits everywhere.</source>
+            <translation>Radius des Kugelfräsers. Leer: der größte Standardfräser, der überall passt.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -2600,8 +2600,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
-            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.</source>
-            <translation>Erreur telle que conçue {designed:.2f} %, voulue après fabrication {wanted:.2f} %.</translation>
+            <source>Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %; ball radius {radius}.</source>
+            <translation>Erreur telle que conçue {designed:.2f} %, voulue après fabrication {wanted:.2f} % ; rayon de la fraise {radius}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
@@ -8216,13 +8216,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the ball cutter. Empty: one that fits everywhere.</source>
-            <translation>Rayon de la fraise boule. Vide : une qui convient partout.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>one that fits</source>
-            <translation>une qui convient</translation>
+            <source>Radius of the ball cutter. Empty: the largest standard cutter that fits everywhere.</source>
+            <translation>Rayon de la fraise hémisphérique. Vide : la plus grande fraise standard qui passe partout.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -7,6 +7,7 @@ from tests.scenes import changed
 from workbench.analysis.making.as_made import checking
 from workbench.analysis.making.plan import fitting_ball, planning
 from workbench.analysis.making.plan_options import PlanOptions
+from workbench.cutters import cutter_name, cutter_radii
 from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.progress import finished
@@ -57,6 +58,12 @@ def test_what_cannot_be_reached_is_refused_with_what_can_be(plate, few_plans):
         finished(planning(scene, target, heights, PlanOptions(error=0.01, ball=0.1)))
 
 
-def test_the_ball_fits(plate):
-    scene, _, heights = plate
-    assert 0 < fitting_ball(scene, heights) <= 0.5
+def test_the_ball_fits_and_can_be_bought(plate):
+    scene, *_ = plate
+    waves = np.cos(np.arange(40))[:, None] * np.ones(40)
+    largest, smaller, special = (
+        fitting_ball(scene, {"lens.back": 0.5 + depth * waves}) for depth in (0, 0.01, 0.1)
+    )
+    assert cutter_name(largest, scene.unit) == "1/4 inch"
+    assert smaller < largest and cutter_name(smaller, scene.unit) is not None
+    assert cutter_radii(scene.unit, special) == []  # no standard cutter fits

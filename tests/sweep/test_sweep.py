@@ -3,6 +3,7 @@ import json
 import os
 import signal
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +11,9 @@ import pytest
 from tests.accounts import result_of
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
+from workbench.scene import Scene
 from workbench.sweep.cluster import Cluster
-from workbench.sweep.points import Variation, key_of, points
+from workbench.sweep.points import Variation, key_of, points, points_of
 from workbench.sweep.processes import DesignTask, Done, Failed, Processes, attempt
 from workbench.sweep.sweep import Store, sweep
 
@@ -74,6 +76,18 @@ class TestPoints:
             (1, 6),
         ]
         assert found[3].name == "hat run.seed=1 images[0].receiver.position[2]=6"
+
+    def test_processes_and_uncertainty_vary(self, make_scene):
+        milled = {"processes": [{"kind": "milling", "ball_radius": 0.3, "step_over": 0.02}]}
+        scene = Scene.from_data(make_scene().to_data() | milled)
+        vary = [
+            Variation.parse("processes[0].step_over=0.01,0.4"),
+            Variation.parse("uncertainty.index=0,0.01"),
+        ]
+        session = Session(scene, np.ones((32, 32)))
+        (_, found, *refused) = (point.scene for point in points_of([(Path("hat"), session)], vary))
+        assert found.processes[0].step_over == 0.01 and found.uncertainty.index == 0.01
+        assert all("leaves ridges of the tool's own size" in str(each) for each in refused)
 
     def test_an_impossible_point_is_kept_with_its_refusal(self, scene_file):
         bad, good = points([scene_file], [Variation("lens.back.control_points", (3, 12))])

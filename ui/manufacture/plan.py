@@ -62,8 +62,13 @@ class PlanDialog(WorkDialog):
     def _show_outcome(self, _: object, found: "ShopPlans | None") -> None:
         if found is not None:
             self.state.setText(
-                tr("Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %.").format(
-                    designed=100 * found.designed, wanted=100 * found.wanted
+                tr(
+                    "Error as designed {designed:.2f} %, wanted as made {wanted:.2f} %; ball "
+                    "radius {radius}."
+                ).format(
+                    designed=100 * found.designed,
+                    wanted=100 * found.wanted,
+                    radius=written(found.plans[0].milling.ball_radius, self._session.scene.unit),
                 )
             )
             self._show_plans(found.plans)

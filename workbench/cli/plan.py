@@ -8,6 +8,7 @@ from pathlib import Path
 from workbench.analysis.making.plan import ShopPlan, planning
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.cli.output import PartProgress
+from workbench.cutters import cutter_name
 from workbench.design.run import Evaluator
 from workbench.design.session import Session, result_of
 from workbench.files.atomic import check_writable
@@ -35,7 +36,10 @@ def plan(path: Path, options: PlanOptions, output: Path | None, as_json: bool) -
     else:
         unit = session.scene.unit
         print(f"error as designed {100 * found.designed:.2f} %, wanted {100 * found.wanted:.2f} %")
-        print(f"ball radius       {written(found.plans[0].milling.ball_radius, unit)}")
+        radius = found.plans[0].milling.ball_radius
+        name = cutter_name(radius, unit)
+        standard = f"standard cutter of {name}" if name else "no standard cutter"
+        print(f"ball radius       {written(radius, unit)} ({standard})")
         print(f"\n{'step-over':<14}{'scallop':<14}{'polish over':<14}{'error as made':<16}minutes")
         for each in found.plans:
             _print(each, unit)

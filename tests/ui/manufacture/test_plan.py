@@ -30,7 +30,7 @@ def test_the_cheapest_plan_becomes_the_processes_of_the_scene(dialog, qtbot, cho
     dialog.search()
     assert not dialog.use.isEnabled()
     searched(qtbot, dialog)
-    assert "wanted as made 95.00 %" in dialog.state.text()
+    assert "wanted as made 95.00 %; ball radius " in dialog.state.text()
     dialog.use.click()
     (edit,) = chosen
     (first, *_) = edit.changes["processes"]

@@ -15,6 +15,7 @@ import torch
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.analysis.scatter import CorrectedDistance, tracing_independently
 from workbench.arrays import Array
+from workbench.cutters import cutter_radii
 from workbench.design.levels import finest_image_of
 from workbench.errors import Refused
 from workbench.extended.blurring import convolved_in_place
@@ -83,12 +84,16 @@ class ShopPlans(NamedTuple):
 
 
 def fitting_ball(scene: Scene, heights: Mapping[str, Array]) -> float:
-    """Radius of a ball cutter that fits all designed faces, scene units."""
-    return min(
+    """Radius of the largest standard ball cutter that fits all designed faces, scene units.
+
+    Where none fits, the radius is the largest one that does.
+    """
+    fitting = min(
         CutFace.lying(net, heights[face], outline_of(each), each.outwards(face)).default_radius
         for each in scene.optics
         for face, net in freeform_nets(each).items()
     )
+    return next(iter(cutter_radii(scene.unit, fitting)), fitting)
 
 
 def planning(

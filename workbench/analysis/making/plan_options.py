@@ -22,10 +22,10 @@ class PlanOptions(OptionGroup):
     )
     ball: float | None = option(
         "Ball radius",
-        "Radius of the ball cutter. Empty: one that fits everywhere.",
+        "Radius of the ball cutter. Empty: the largest standard cutter that fits everywhere.",
         unit=LENGTH,
         above=True,
-        empty="one that fits",
+        empty="standard",
     )
     feed: float = option(
         "Feed", "Feed rate while cutting.", 600.0, unit=FEED, least=1, most=100_000

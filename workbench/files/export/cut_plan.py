@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.cutters import cutter_radii, cutter_radius
 from workbench.errors import Refused
 from workbench.files.export.design import Design
 from workbench.files.export.dialects import DIALECTS
-from workbench.files.export.options import CUTTERS, Cutting
+from workbench.files.export.options import Cutting
 from workbench.geometry.ball_cutter import CutErrors, CutFace, Raster
 from workbench.geometry.face_grids import element_sides
 from workbench.geometry.roughing import Cutter, Roughing, plan_roughing
@@ -100,11 +101,6 @@ class CutPlan(NamedTuple):
         return Message("a smaller one or higher ridges are needed")
 
 
-def cutter_radius(name: str, design: Design) -> float:
-    """Return the radius of a standard cutter, scene units."""
-    return CUTTERS[name] / 2 / (1e3 * design.metres)
-
-
 def check_cutting(design: Design) -> None:
     """Refuse cutters that are larger than the part, and a stock that does not hold it."""
     cutting, unit = design.cutting, design.unit
@@ -147,7 +143,7 @@ def _needed(design: Design) -> float:
 def _asked_radius(design: Design) -> float | None:
     cutting = design.cutting
     if cutting.cutter is not None:
-        return cutter_radius(cutting.cutter, design)
+        return cutter_radius(cutting.cutter, design.unit)
     if cutting.tool_radius is not None:
         return cutting.tool_radius
     planned = _planned(design)
@@ -165,10 +161,9 @@ def _roughing_radius(design: Design) -> float | None:
     if cutting.roughing == "none":
         return None
     if cutting.roughing_cutter is not None:
-        return cutter_radius(cutting.roughing_cutter, design)
-    radii = [cutter_radius(name, design) for name in CUTTERS]
+        return cutter_radius(cutting.roughing_cutter, design.unit)
     widest = _WIDE * min(design.net.half_width)
-    return max((radius for radius in radii if radius <= widest), default=widest)
+    return next(iter(cutter_radii(design.unit, widest)), widest)
 
 
 def planning(design: Design) -> Steps[CutPlan]:
@@ -193,8 +188,7 @@ def planning(design: Design) -> Steps[CutPlan]:
 
 def _defaults(design: Design, fitting: float) -> Iterator[float]:
     """Radii of standard cutters that fit, the largest first, or of special ones."""
-    radii = sorted((cutter_radius(name, design) for name in CUTTERS), reverse=True)
-    yield from (radius for radius in radii if radius <= fitting)
+    yield from cutter_radii(design.unit, fitting)
     yield from (fitting * _SMALLER**number for number in range(_TRIES))
 
 

@@ -11,10 +11,11 @@ from typing import BinaryIO, NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.cutters import cutter_name
 from workbench.files.export.cut_plan import CutPlan, check_cutting, looks_up, planning
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.dialects import DIALECTS
-from workbench.files.export.options import CUTTERS, ORIGINS
+from workbench.files.export.options import ORIGINS
 from workbench.powers import written
 from workbench.progress import Steps, finished, within
 
@@ -158,7 +159,8 @@ def _comments(design: Design, plan: CutPlan) -> Iterator[str]:
         yield f"roughing by a {end} cutter: radius {mm * kind.radius:.4f}"
         yield f"levels {mm * rough.step_down:.4f} apart, allowance {mm * rough.allowance:.4f}"
         yield f"roughing leaves {least:.3f} to {most:.3f} along Z; its cutter plunges"
-    yield f"{_name_of(mm * raster.radius)}ball cutter: radius {mm * raster.radius:.4f}"
+    name = cutter_name(mm * raster.radius, "mm")
+    yield f"{f'{name} ' if name else ''}ball cutter: radius {mm * raster.radius:.4f}"
     yield f"ridges between cuts: {mm * plan.scallop:.5f} high"
     yield f"spindle speed: {cutting.spindle_speed:g} clockwise"
     yield f"dwell until the spindle is at speed: {cutting.dwell:g}"
@@ -176,13 +178,6 @@ def _comments(design: Design, plan: CutPlan) -> Iterator[str]:
 
 def _with_zero(plan: CutPlan) -> Iterator[tuple[Array, float]]:
     yield from zip((plan.raster.x, plan.raster.y), plan.zero[:2], strict=True)
-
-
-def _name_of(radius: float) -> str:
-    for name, size in CUTTERS.items():
-        if abs(size / 2 - radius) < 1e-9 * size:
-            return f"{name} "
-    return ""
 
 
 def _plain(name: str) -> str:

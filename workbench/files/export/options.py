@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
+from workbench.cutters import CUTTERS
 from workbench.errors import Refused, shown
 from workbench.files.export.dialects import DIALECTS
 from workbench.messages import Message
@@ -23,11 +24,6 @@ MESH_UNITS = (*METRES, SCENE_UNIT)
 """Names of units of a mesh."""
 SPINDLE, SECONDS = "rpm", "s"
 """Further units of options of machines."""
-INCH = 25.4
-CUTTERS = {f"{size:g} mm": size for size in (0.5, 1, 1.5, 2, 3, 4, 5, 6)} | {
-    f"1/{part} inch": INCH / part for part in (64, 32, 16, 8, 4)
-}
-"""Diameters of standard cutters by name, mm."""
 ORIGINS = {
     "top": "middle, top of the stock",
     "corner": "corner of least x and y, top of the stock",
