@@ -36,6 +36,7 @@ __all__ = [
     "load",
     "photograph",
     "plan",
+    "preset_processes",
     "save",
     "sensitivity",
 ]

@@ -51,6 +51,7 @@ from workbench.made import (
     inspect,
     photograph,
     plan,
+    preset_processes,
 )
 from workbench.option_groups import OptionGroup
 from workbench.scene import Scene
@@ -83,6 +84,7 @@ __all__ = [
     "load",
     "photograph",
     "plan",
+    "preset_processes",
     "save",
     "sensitivity",
 ]

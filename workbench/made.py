@@ -6,7 +6,7 @@
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.inspection.inspection import Inspection, Units, corrected_session, inspected
@@ -16,6 +16,7 @@ from workbench.design.session import Session, result_of
 from workbench.measured.surfaces import read_surface
 from workbench.progress import finished
 from workbench.reading import opened
+from workbench.scene.making import presets
 
 if TYPE_CHECKING:
     from workbench.analysis.making.photograph import Corner, Photograph
@@ -26,6 +27,29 @@ if TYPE_CHECKING:
     from workbench.measured.surfaces import PictureScale
 
 File = str | PathLike[str]
+
+
+def preset_processes(*names: str, unit: str) -> list[dict[str, Any]]:
+    """Processes of presets, as a scene file has them.
+
+    Parameters
+    ----------
+    *names : str
+        Names of presets, such as ``mill-3mm``, in the order of manufacture.
+    unit : str
+        Unit of length of the scene.
+
+    Raises
+    ------
+    Refused
+        If there is no such preset; the message names all presets.
+
+    Examples
+    --------
+    >>> preset_processes("turn", unit="cm")
+    [{'kind': 'turning', 'nose_radius': 0.05, 'feed': 0.0005}]
+    """
+    return presets.preset_processes(names, unit)
 
 
 def as_made(session: Session, rays: int = 4_000_000) -> "tuple[MadeStep, ...]":

@@ -3220,6 +3220,26 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>Preset…</source>
+            <translation>Vorlage …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Choose a process with usual values, whose source is stated</source>
+            <translation>Einen Prozess mit üblichen Werten wählen, deren Quelle genannt ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Preset</source>
+            <translation>Vorlage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process and source</source>
+            <translation>Prozess und Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Process</source>
             <translation>Verfahren</translation>
         </message>
@@ -11188,6 +11208,61 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/scene/losses.py" />
             <source>{loss} ({element})</source>
             <translation>{loss} ({element})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>typical value, no source</source>
+            <translation>typischer Wert, keine Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>largest value of MISUMI, Plastic Molding Tutorial #004, table 1, 2009</source>
+            <translation>größter Wert von MISUMI, Plastic Molding Tutorial #004, Tabelle 1, 2009</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>layers: toglefritz.com, Form 1+ 0.1mm vs. 0.025mm Layer Thickness; pixels: typical value</source>
+            <translation>Schichten: toglefritz.com, Form 1+ 0.1mm vs. 0.025mm Layer Thickness; Pixel: typischer Wert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Milling: ball of 3 mm, scallops of 5 µm</source>
+            <translation>Fräsen: Kugel von 3 mm, Rillen von 5 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Milling: ball of 1 mm, scallops of 1 µm</source>
+            <translation>Fräsen: Kugel von 1 mm, Rillen von 1 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Diamond turning: nose of 0.5 mm, feed of 5 µm</source>
+            <translation>Diamantdrehen: Schneidenradius 0,5 mm, Vorschub 5 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Polishing over a width of 0.1 mm</source>
+            <translation>Polieren über eine Breite von 0,1 mm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Injection moulding of PMMA: shrinkage of 0.4 %</source>
+            <translation>Spritzguss von PMMA: Schwund von 0,4 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Injection moulding of PS: shrinkage of 0.7 %</source>
+            <translation>Spritzguss von PS: Schwund von 0,7 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Resin printing: layers and pixels of 50 µm</source>
+            <translation>Harzdruck: Schichten und Pixel von 50 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Resin printing: layers of 25 µm, pixels of 50 µm</source>
+            <translation>Harzdruck: Schichten von 25 µm, Pixel von 50 µm</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/making/process.py" />

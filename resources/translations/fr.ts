@@ -3220,6 +3220,26 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>Preset…</source>
+            <translation>Préréglage…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Choose a process with usual values, whose source is stated</source>
+            <translation>Choisir un procédé aux valeurs usuelles, dont la source est indiquée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Preset</source>
+            <translation>Préréglage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Process and source</source>
+            <translation>Procédé et source</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Process</source>
             <translation>Procédé</translation>
         </message>
@@ -11188,6 +11208,61 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/scene/losses.py" />
             <source>{loss} ({element})</source>
             <translation>{loss} ({element})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>typical value, no source</source>
+            <translation>valeur typique, sans source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>largest value of MISUMI, Plastic Molding Tutorial #004, table 1, 2009</source>
+            <translation>plus grande valeur de MISUMI, Plastic Molding Tutorial #004, tableau 1, 2009</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>layers: toglefritz.com, Form 1+ 0.1mm vs. 0.025mm Layer Thickness; pixels: typical value</source>
+            <translation>couches : toglefritz.com, Form 1+ 0.1mm vs. 0.025mm Layer Thickness ; pixels : valeur typique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Milling: ball of 3 mm, scallops of 5 µm</source>
+            <translation>Fraisage : bille de 3 mm, crêtes de 5 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Milling: ball of 1 mm, scallops of 1 µm</source>
+            <translation>Fraisage : bille de 1 mm, crêtes de 1 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Diamond turning: nose of 0.5 mm, feed of 5 µm</source>
+            <translation>Tournage au diamant : bec de 0,5 mm, avance de 5 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Polishing over a width of 0.1 mm</source>
+            <translation>Polissage sur une largeur de 0,1 mm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Injection moulding of PMMA: shrinkage of 0.4 %</source>
+            <translation>Moulage par injection de PMMA : retrait de 0,4 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Injection moulding of PS: shrinkage of 0.7 %</source>
+            <translation>Moulage par injection de PS : retrait de 0,7 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Resin printing: layers and pixels of 50 µm</source>
+            <translation>Impression de résine : couches et pixels de 50 µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/making/presets.py" />
+            <source>Resin printing: layers of 25 µm, pixels of 50 µm</source>
+            <translation>Impression de résine : couches de 25 µm, pixels de 50 µm</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/making/process.py" />

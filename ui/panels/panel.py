@@ -177,8 +177,8 @@ class ListedPanel(Panel, Generic[AnyPart]):
         return ""
 
     @abstractmethod
-    def new(self, which: int) -> AnyPart:
-        """Return the part that an add button appends."""
+    def new(self, which: int) -> AnyPart | None:
+        """Return the part that an add button appends; None if the user asks for none."""
 
     @abstractmethod
     def summary(self, part: AnyPart) -> str:
@@ -308,8 +308,9 @@ class PartList(Row):
         down.setEnabled(0 <= current < last)
 
     def _append(self, which: int) -> None:
-        parts = [*self._parts, self._panel.new(which)]
-        self._put(parts, tr("new {part}"), len(self._parts))
+        part = self._panel.new(which)
+        if part is not None:
+            self._put([*self._parts, part], tr("new {part}"), len(self._parts))
 
     def _duplicate(self) -> None:
         current, parts = self.current, list(self._parts)

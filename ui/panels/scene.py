@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QInputDialog, QLabel
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, ChoiceRow, Row, described
@@ -26,6 +26,7 @@ from workbench.scene import (
 )
 from workbench.scene.making.milling import Milling
 from workbench.scene.making.polishing import Polishing
+from workbench.scene.making.presets import PRESETS
 from workbench.scene.making.process import Process
 from workbench.scene.part import title_of
 
@@ -212,12 +213,22 @@ class ProcessesPanel(ListedPanel[Process]):
                     process=in_sentence(tr(title_of(kind)))
                 )
                 for kind in _PROCESSES
-            },
+            }
+            | {tr("Preset…"): tr("Choose a process with usual values, whose source is stated")},
         )
 
-    def new(self, which: int) -> Process:
+    def new(self, which: int) -> Process | None:
+        if which == len(_PROCESSES):
+            return self._preset()
         kind = _PROCESSES[which]
         return kind.model_validate(kind.defaults_for(self.session.scene))
+
+    def _preset(self) -> Process | None:
+        presets = {f"{tr(each.title)} ({tr(each.source)})": each for each in PRESETS.values()}
+        chosen, accepted = QInputDialog.getItem(
+            self.list, tr("Preset"), tr("Process and source"), [*presets], editable=False
+        )
+        return presets[chosen].in_unit(self.session.scene.unit) if accepted else None
 
     def summary(self, part: Process) -> str:
         return tr(title_of(type(part)))

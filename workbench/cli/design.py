@@ -4,10 +4,11 @@ import json
 import math
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from workbench.cli.checkpoints import CheckpointWriter
 from workbench.cli.interruption import EndedBySignal, Interruption
@@ -21,8 +22,8 @@ from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
 from workbench.process import keep_freed_memory
 from workbench.progress import given_up_when, interrupted_when
+from workbench.scene.making.presets import preset_processes
 from workbench.scene.paths import with_values
-from workbench.sweep.points import Value
 
 # From this many pixels on freed memory is returned: a run of 4096 × 4096 takes 3.1 GB, not 5.2.
 _MANY = 1 << 22
@@ -30,7 +31,8 @@ _MANY = 1 << 22
 
 def design(
     path: Path,
-    changes: Mapping[str, Value],
+    changes: Mapping[str, Any],
+    made_by: Sequence[str],
     output: Path,
     iterations: int | None,
     deadline: float,
@@ -39,7 +41,8 @@ def design(
 ) -> None:
     """Run a design until a deadline of `time.perf_counter`, and write it however the run ends.
 
-    ``changes`` are values of fields, by path, in place of those of the scene. ``video``: file of an
+    ``changes`` are values of fields, by path, in place of those of the scene, and ``made_by`` names
+    presets in place of its processes. ``video``: file of an
     animated picture of the run.
 
     Raise Refused if the scene cannot be run or the output not be written (the lens is then kept
@@ -47,6 +50,8 @@ def design(
     signal (the best lens is written).
     """
     session = open_design(path)
+    if made_by:
+        changes = {**changes, "processes": preset_processes(made_by, session.scene.unit)}
     if changes:
         session = with_task(session, with_values(session.scene, changes), path.parent)
     if _pixels(session) < _MANY:  # gaps of larger arrays would not be reused

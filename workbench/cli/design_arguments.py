@@ -63,6 +63,13 @@ def add_design(commands: Any) -> None:
         help="value of a field in place of the scene's, by its path as in --vary of a sweep: "
         "a number, AxB for several, true, false or text; may be given several times",
     )
+    parser.add_argument(
+        "--made-by",
+        metavar="PRESET",
+        nargs="+",
+        default=[],
+        help="processes of manufacture in place of the scene's, such as mill-3mm polish",
+    )
     parser.add_output(
         "--video",
         metavar="FILE",
@@ -86,7 +93,8 @@ def _run_design(options: argparse.Namespace) -> None:
     deadline = begun + options.seconds
     changes = dict(map(parse_setting, options.set))
     scene, output, video = options.scene, options.output, options.video
-    design(scene, changes, output, options.iterations, deadline, options.json, video)
+    made_by, as_json = options.made_by, options.json
+    design(scene, changes, made_by, output, options.iterations, deadline, as_json, video)
 
 
 def add_bound(commands: Any) -> None:
