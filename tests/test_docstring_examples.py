@@ -18,7 +18,7 @@ MODULES = sorted(
 )
 
 
-@pytest.mark.usefixtures("fewer_rays")
+@pytest.mark.usefixtures("fewer_rays", "few_plans")
 @pytest.mark.parametrize("name", MODULES)
 def test_examples_print_what_they_say(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -70,7 +70,7 @@ def test_the_gradient_of_scattered_light_is_that_of_differences(rng):
     assert slope == pytest.approx(difference, rel=2e-2)
 
 
-@pytest.mark.parametrize("kind", ["gaussian", "lambertian"])
+@pytest.mark.parametrize("kind", ["gaussian", pytest.param("lambertian", marks=pytest.mark.full)])
 def test_a_lens_makes_good_what_its_diffuser_blurs(kind):
     scatter = {"kind": "gaussian", "sigma": 10} if kind == "gaussian" else {"kind": "lambertian"}
     data = with_diffuser(scatter, position=[0, 0, 27])

@@ -238,7 +238,7 @@ def test_the_check_finds_the_light_of_the_beams(train):
     near = LED | {"position": [0.1, -0.2, -3.0]}
     scene = train(near)
     heights = waves(scene)
-    light = BeamPlan(scene, Corners(64, 64, 256), dtype=torch.float64).trace(tensors(heights))
+    light = BeamPlan(scene, Corners(48, 48, 128), dtype=torch.float64).trace(tensors(heights))
     tally = None
     for batch in Trace(scene, heights, 200_000, 1).batches(2):
         tally = added(tally, batch) if batch is not None else tally
