@@ -81,19 +81,20 @@ def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     assert list(tmp_path.iterdir()) == [lens]
 
 
-@pytest.mark.parametrize("name", ["b.nc", "b.zip"])
 @pytest.mark.parametrize(
-    "given, reason",
+    "name, given, reason",
     [
-        (["--tool-radius", "-1"], "tool_radius: -1; a length above 0"),
-        (["--tool-radius", "50"], "wider than the part"),
-        (["--roughing", "flat", "--roughing-cutter", "7 mm"], "invalid choice: '7 mm'"),
-        (["--stock", "1e-6"], "10⁻⁶ cm is too thin for the part"),
-        (["--tool-radius", "0.1", "--cutter", "1 mm"], "a standard cutter is chosen as well"),
-        (["--dialect", "heidenhain"], "invalid choice: 'heidenhain'"),
-        (["--program", "10000"], "program: 10000; from 1 to 9,999"),
-        (["--points-per-turn", "1"], "points_per_turn: 1; from 16 to 100,000"),
-        (["--form-tolerance", "0"], "form_tolerance: 0; a length above 0"),
+        ("b.nc", ["--tool-radius", "-1"], "tool_radius: -1; a length above 0"),
+        ("b.zip", ["--tool-radius", "50"], "wider than the part"),
+        ("b.nc", ["--stock", "1e-6"], "10⁻⁶ cm is too thin for the part"),
+        (
+            "b.nc",
+            ["--tool-radius", "0.1", "--cutter", "1 mm"],
+            "a standard cutter is chosen as well",
+        ),
+        ("b.nc", ["--dialect", "heidenhain"], "invalid choice: 'heidenhain'"),
+        ("b.zip", ["--points-per-turn", "1"], "points_per_turn: 1; from 16 to 100,000"),
+        ("b.zip", ["--form-tolerance", "0"], "form_tolerance: 0; a length above 0"),
     ],
 )
 def test_impossible_options_are_refused_before_anything_is_written(

@@ -1,8 +1,8 @@
 """What hands do at the forms and dialogs of a window."""
 
-from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from resources import EXAMPLES
 
@@ -83,22 +83,3 @@ def open_example(window, name):
     window.commands["new"].trigger()
     row = [example.name for example in EXAMPLES].index(name)
     window.start_page.examples.chosen.emit(row)
-
-
-def accept_as(pattern):
-    """Accept the dialog for a file that is about to open, in the format of this pattern.
-
-    Gives a list that holds all formats afterwards.
-    """
-    formats = []
-
-    def accept():
-        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QFileDialog))
-        formats.extend(dialog.nameFilters())
-        chosen = next(each for each in formats if pattern in each)
-        dialog.selectNameFilter(chosen)
-        dialog.filterSelected.emit(chosen)
-        dialog.accept()
-
-    QTimer.singleShot(300, accept)
-    return formats
