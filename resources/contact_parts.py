@@ -81,7 +81,7 @@ def forms(window: MainWindow) -> Iterator[QPixmap]:
 
 
 def menus(window: MainWindow) -> Iterator[QPixmap]:
-    """Every menu: those of the bar and those within."""
+    """Every menu: those of the bar, and those within."""
     for menu in window.commands.menus.values():
         menu.popup(window.pos())
         settle(_MOMENT)

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import Example
 from ui.background import close_threads
-from ui.commands.panes import PaneFocus
 from ui.commands.table import WORKSPACE_CHOICES
 from ui.dialogs.help import TITLE, Help
 from ui.dialogs.measured import Measured
@@ -31,7 +30,7 @@ from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskOptions
 from ui.manufacture.plan import PlanDialog
 from ui.run.control import NO_LENS, CurrentLens
-from ui.window.docks import EarlyParts
+from ui.window.docks import EarlyParts, PaneFocus
 from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
 from ui.window.layouts import Layouts
 from ui.window.pages import Pages
@@ -92,7 +91,7 @@ class MainWindow(QMainWindow):
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = StartPage(self.files, recent, self._new, dialogs, settings)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
-        self.help = Help(self, self.commands, self._focus)
+        self.help = Help(self, self.commands, self.panes.place)
         self.workspaces = Workspaces(pages.desk, self.panes, settings)
         pages.put(self.start_page, self.workspaces, self.commands)
         self._layouts = Layouts(settings, self.commands, self.workspaces, self)

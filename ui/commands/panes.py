@@ -1,14 +1,6 @@
-"""Panes of the window, workspaces that show some of them, and moving the focus between panes."""
+"""Panes of the window, and workspaces that show some of them."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
-from typing import Protocol
-
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QDockWidget, QToolBar, QWidget
-
-from ui.widgets.native import application
 
 
 @dataclass(frozen=True)
@@ -103,76 +95,3 @@ WORKSPACES = {
     ),
 }
 """By name, in the order of the work."""
-
-
-class Places(Protocol):
-    """Where the panes of a window are."""
-
-    def place(self, name: str) -> QWidget:
-        """The dock of a pane, the image panel or the strip."""
-        ...
-
-    def seen(self, name: str) -> bool:
-        """Whether a pane can be seen now."""
-        ...
-
-    def show(self, name: str) -> None:
-        """Show a pane."""
-        ...
-
-
-class PaneFocus(QObject):
-    """Moves the focus between panes and toolbar, and marks the active pane."""
-
-    def __init__(self, places: Places, toolbar: QToolBar, parent: QObject) -> None:
-        super().__init__(parent)
-        self.place, self.show, self._seen = places.place, places.show, places.seen
-        self._toolbar = toolbar
-        self._marked: QWidget | None = None
-        application().focusChanged.connect(self._mark)
-
-    def slots(self) -> dict[str, Callable[[], object]]:
-        return {
-            **{f"go_{name}": partial(self.go, name) for name in PANES},
-            "next_pane": partial(self._step, 1),
-            "previous_pane": partial(self._step, -1),
-        }
-
-    def go(self, name: str) -> None:
-        self.show(name)
-        _enter(self.place(name))
-
-    def _step(self, by: int) -> None:
-        seen = [*map(self.place, filter(self._seen, PANES)), self._toolbar]
-        focused = application().focusWidget()
-        at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)
-        _enter(seen[(at + by) % len(seen)])
-
-    def _mark(self, _: QWidget | None, focused: QWidget | None) -> None:
-        pane = next((pane for pane in map(self.place, PANES) if _holds(pane, focused)), None)
-        if focused is None or pane is self._marked:  # no focus: another window is active
-            return
-        for each, active in ((self._marked, False), (pane, True)):
-            if each is not None:
-                each.setProperty("active", active)
-                each.style().unpolish(each)
-                each.style().polish(each)
-                each.update()  # which polishing does not see to
-        self._marked = pane
-
-
-def _holds(pane: QWidget, widget: QWidget | None) -> bool:
-    return widget is not None and (pane is widget or pane.isAncestorOf(widget))
-
-
-def _enter(pane: QWidget) -> None:
-    inner = pane.widget() if isinstance(pane, QDockWidget) else pane
-    last = inner.focusWidget()
-    children = [w for w in inner.findChildren(QWidget) if w.focusPolicy() & Qt.FocusPolicy.TabFocus]
-    for widget in (last, inner, *children):
-        if widget is None or not (widget.isVisible() and widget.isEnabled()):
-            continue
-        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
-            widget.setFocus(Qt.FocusReason.TabFocusReason)
-            return
-    inner.setFocus(Qt.FocusReason.OtherFocusReason)

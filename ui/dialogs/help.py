@@ -23,7 +23,6 @@ import workbench
 from resources.manual_pages import Page, pages
 from ui.commands.actions import Commands
 from ui.commands.command_search import CommandPalette
-from ui.commands.panes import PaneFocus
 from ui.dialogs.coach import CoachMarks
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
@@ -174,9 +173,11 @@ _SHOWN = "coach_marks_shown"
 class Help(QObject):
     """Functions of the help menu."""
 
-    def __init__(self, window: QMainWindow, commands: Commands, panes: PaneFocus) -> None:
+    def __init__(
+        self, window: QMainWindow, commands: Commands, place: Callable[[str], QWidget]
+    ) -> None:
         super().__init__(window)
-        self._window, self._commands, self._panes = window, commands, panes
+        self._window, self._commands, self._place = window, commands, place
         self._marks: CoachMarks | None = None
 
     def slots(self) -> dict[str, Callable[[], object]]:
@@ -200,9 +201,9 @@ class Help(QObject):
         self._commands["workspace_task"].trigger()
         bar = self._commands.toolbar
         places = (
-            self._panes.place("design"),
+            self._place("design"),
             bar.widgetForAction(self._commands["start"]),
-            self._panes.place("irradiance"),
+            self._place("irradiance"),
             self._window.menuBar().cornerWidget(),
         )
         self._marks = CoachMarks(self._window, places)

@@ -3,14 +3,14 @@
 from pathlib import Path
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLabel, QVBoxLayout
+from PySide6.QtWidgets import QVBoxLayout
 
 from ui.panels.edits import Edit, put
 from ui.panels.entries import RowForm
 from ui.panels.images import of_image
 from ui.panels.rows import Make, Rows, connect_asked, file_rows
 from ui.widgets.controls import STRETCH, filled
-from ui.widgets.labels import WrappedLabel
+from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
@@ -44,8 +44,7 @@ class JobForm(RowForm):
         for row in self.rows:
             asked = self.light_asked if row.path == "file" else self.image_asked
             connect_asked([row], asked.emit)
-        heading = QLabel(tr(title_of(type(job))))
-        heading.setObjectName("title")
+        heading = text_label(tr(title_of(type(job))), "title")
         about = WrappedLabel(tr(summary_of(type(job))))
         filled(QVBoxLayout(self), heading, about, self.in_columns(), STRETCH)
         self.show_rows()

@@ -24,7 +24,7 @@ from ui.files.dialogs import FileDialogs
 from ui.panels.images import image_files
 from ui.widgets import theme
 from ui.widgets.controls import STRETCH, filled, scrolled
-from ui.widgets.labels import WrappedLabel
+from ui.widgets.labels import WrappedLabel, text_label
 from ui.widgets.tiles import Shape, Tile, Tiles
 from ui.words import tr
 from workbench.errors import Refused
@@ -73,16 +73,15 @@ class StartPage(QStackedWidget):
         self.recent.chosen.connect(lambda row: files.open_recent(self._recent.paths()[row]))
         files.recent_changed.connect(self.refresh)
         self._beside = QWidget()
-        filled(
-            QVBoxLayout(self._beside), _title(tr("Recent files")), self.recent, STRETCH, margins=0
-        )
+        title = text_label(tr("Recent files"), "title")
+        filled(QVBoxLayout(self._beside), title, self.recent, STRETCH, margins=0)
         first = filled(QHBoxLayout(), (self._well, 3), (self._beside, 2), spacing=24)
         page = QWidget()
         filled(
             QVBoxLayout(page),
             *(self.message, first),
-            *(_title(tr("Begin with a job")), self.jobs),
-            *(_title(tr("Examples")), self.examples, STRETCH),
+            *(text_label(tr("Begin with a job"), "title"), self.jobs),
+            *(text_label(tr("Examples"), "title"), self.examples, STRETCH),
             margins=(24, 24, 16, 16),
             spacing=8,
         )
@@ -163,10 +162,10 @@ class Well(QFrame):
         self.setMinimumHeight(_WELL_HIGH)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         centre = Qt.AlignmentFlag.AlignHCenter
-        self._icon, title = QLabel(alignment=centre), _title(tr("Drop a picture here"))
+        self._icon, title = QLabel(alignment=centre), text_label(tr("Drop a picture here"), "title")
         title.setAlignment(centre)
-        hint = QLabel(tr("The lens will draw it with light. Ctrl+V pastes one."), alignment=centre)
-        hint.setObjectName("muted")
+        hint = text_label(tr("The lens will draw it with light. Ctrl+V pastes one."), "muted")
+        hint.setAlignment(centre)
         self.choose = QPushButton(tr("Choose &picture…"))
         self.open = QPushButton(tr("&Open design…"))
         self.choose.setObjectName("primary")
@@ -183,12 +182,6 @@ class Well(QFrame):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self.rect().contains(event.position().toPoint()):
             self.asked.emit()
-
-
-def _title(text: str) -> QLabel:
-    label = QLabel(text)
-    label.setObjectName("title")
-    return label
 
 
 def _short(folder: Path) -> str:

@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QSize, QTimer, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFileDialog,
@@ -25,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from ui.background import Background, Task
 from ui.document.document import Document
-from ui.widgets.controls import Table, filled, side_by_side
+from ui.widgets.controls import Choice, Table, filled, side_by_side
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, field_title, later, tr
@@ -250,7 +249,7 @@ class SweepForm(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.fields = [QComboBox() for _ in range(_AT_MOST)]
+        self.fields = [Choice() for _ in range(_AT_MOST)]
         self.values = [QLineEdit() for _ in range(_AT_MOST)]
         self._rows: dict[str, FieldRow] = {}
         self.lines = QFormLayout(self)
@@ -267,16 +266,9 @@ class SweepForm(QWidget):
     def show_scene(self, scene: Scene) -> None:
         """Offer the fields of a scene; the selection stays where possible."""
         self._rows = {row.path: row for row in field_rows(scene) if not _NOT.match(row.path)}
+        titles = {path: field_title(row.title) for path, row in self._rows.items()}
         for number, field in enumerate(self.fields):
-            chosen = field.currentData()
-            field.blockSignals(True)
-            field.clear()
-            if number:
-                field.addItem(tr("none"), "")
-            for path, row in self._rows.items():
-                field.addItem(field_title(row.title), path)
-            field.setCurrentIndex(max(field.findData(chosen), 0))
-            field.blockSignals(False)
+            field.offer({"": tr("none"), **titles} if number else titles, field.currentData())
         self._show_present()
 
     def variations(self) -> "list[Variation]":

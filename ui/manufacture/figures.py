@@ -11,7 +11,8 @@ from ui.manufacture.option_fields import keep_options, kept_options, option_row
 from ui.panels.editors import NumberEditor
 from ui.panels.edits import Edit
 from ui.panels.entries import RowForm, edited_data
-from ui.widgets.labels import WrappedLabel
+from ui.widgets.controls import filled
+from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
     Extreme,
@@ -141,26 +142,30 @@ class ManufactureFigures(LimitFields):
             grid.addWidget(QLabel(f"<b>{text}</b>"), 0, column)
         self.found: dict[str, QLabel] = {}
         self.states: dict[str, QLabel] = {}
-        self._cells: dict[str, QVBoxLayout] = {}  # of a figure and its verdict
-        self._lines = dict(_LINES)
-        self._of_entrance: list[QWidget] = []  # made when a lens has one that is freeform
-        for row, (key, line) in enumerate(_LINES.items(), 1):
-            if line.field:  # one radius for hollows and humps
+        keys = (*_LINES, "sag_range", "draft")
+        for row, key in enumerate(keys, 1):
+            line = _LINES.get(key)
+            if line is not None:
+                grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
+            if line is not None and line.field:  # one radius for hollows and humps
                 field = self.row(line.field)
-                rows = 2 if line.field == "min_radius" else 1
-                grid.addWidget(field, row, _LIMIT, rows, 1)
+                grid.addWidget(field, row, _LIMIT, 2 if line.field == "min_radius" else 1, 1)
                 self._add(row, key, field.label)
             else:
-                self._add(row, key, _named(*map(tr, _OF_FACE[key])))
-            grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
-            self._add_state(key)
-        end = len(_LINES) + 1
-        for row, key in enumerate(("sag_range", "draft"), end):
-            self._add(row, key, _named(*map(tr, _OF_FACE[key])))
+                self._add(row, key, _named(key))
+        title, first = QLabel(f"<b>{tr('Entrance face')}</b>"), len(keys) + 1
+        grid.addWidget(title, first, 0, 1, 4)
+        self._of_entrance: list[QWidget] = [title]  # shown where it is freeform
+        for row, key in enumerate(_OF_FACE, first + 1):
+            name = _named(key)
+            self._add(row, f"{_ENTRANCE}{key}", name, tr("Entrance face: {figure}"))
+            self._of_entrance += [name, self.found[f"{_ENTRANCE}{key}"]]
         self.note = WrappedLabel()
-        grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
-        grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
+        end = first + len(_OF_FACE) + 1
+        grid.addWidget(self.note, end, 0, 1, 4)
+        grid.setRowStretch(end + 1, 1)
         self.limits_changed.connect(self._judge)
+        self._show_entrance(False)
 
     def show_found(self, found: Manufacture, unit: str) -> None:
         self._found, self._found_unit = found, unit
@@ -168,11 +173,8 @@ class ManufactureFigures(LimitFields):
             self._show_extreme(key, getattr(found, key))
         self._show_face(found, "", found.thickest.value)
         if found.entrance is not None:
-            if not self._of_entrance:
-                self._add_entrance()
             self._show_face(found.entrance, _ENTRANCE, found.thickest.value)
-        for part in self._of_entrance:
-            part.setVisible(found.entrance is not None)
+        self._show_entrance(found.entrance is not None)
         self.show_remark("")
         self._judge(self.limits)
 
@@ -205,46 +207,32 @@ class ManufactureFigures(LimitFields):
         for label in (*self.found.values(), *self.states.values()):
             label.setEnabled(not sentence)
 
-    def _add(self, row: int, key: str, name: QLabel) -> None:
+    def _show_entrance(self, shown: bool) -> None:
+        for part in self._of_entrance:
+            part.setVisible(shown)
+
+    def _add(self, row: int, key: str, name: QLabel, called: str = "{figure}") -> None:
         name.setWordWrap(True)
         self._grid.addWidget(name, row, _NAME)
-        self.found[key] = QLabel()
-        self.found[key].setAccessibleName(name.text())
-        self.found[key].setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._cells[key] = cell = QVBoxLayout()
-        cell.setSpacing(0)
-        cell.addWidget(self.found[key])
+        self.found[key] = found = QLabel()
+        found.setAccessibleName(called.format(figure=name.text()))
+        found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        cell = filled(QVBoxLayout(), found, spacing=0)
+        if key.removeprefix(_ENTRANCE) in _LINES:
+            self.states[key] = state = QLabel()
+            state.setAccessibleName(tr("Verdict: {figure}").format(figure=found.accessibleName()))
+            state.hide()
+            cell.addWidget(state)
         self._grid.addLayout(cell, row, _FOUND)
-
-    def _add_state(self, key: str) -> None:
-        self.states[key] = state = QLabel()
-        state.setAccessibleName(
-            tr("Verdict: {figure}").format(figure=self.found[key].accessibleName())
-        )
-        state.hide()
-        self._cells[key].addWidget(state)
-
-    def _add_entrance(self) -> None:
-        first = len(_LINES) + 3
-        title = QLabel(f"<b>{tr('Entrance face')}</b>")
-        self._grid.addWidget(title, first, 0, 1, 4)
-        self._of_entrance.append(title)
-        for row, (key, (text, tip)) in enumerate(_OF_FACE.items(), first + 1):
-            name, key = _named(tr(text), tr(tip)), f"{_ENTRANCE}{key}"
-            self._add(row, key, name)
-            self.found[key].setAccessibleName(tr("Entrance face: {figure}").format(figure=tr(text)))
-            self._of_entrance += [name, self.found[key]]
-            line = _LINES.get(key.removeprefix(_ENTRANCE))
-            if line is not None:
-                self._lines[key] = line._replace(limited=f"{_ENTRANCE}{line.limited}", field="")
-                self._add_state(key)
 
     def _judge(self, limits: Limits) -> None:
         if self._found is None:
             return
         judged = {(v.name, v.at_least): v for v in verdicts(self._found, limits)}
-        for key, line in self._lines.items():
-            self._show_state(key, judged.get((line.limited, line.at_least)))
+        for key in self.states:
+            face = _ENTRANCE if key.startswith(_ENTRANCE) else ""
+            line = _LINES[key.removeprefix(face)]
+            self._show_state(key, judged.get((f"{face}{line.limited}", line.at_least)))
 
     def _show_state(self, key: str, verdict: Verdict | None) -> None:
         text, tip = map(tr, _STATES[verdict.state] if verdict else ("", ""))
@@ -275,7 +263,6 @@ class ManufactureFigures(LimitFields):
         )
 
 
-def _named(text: str, tip: str) -> QLabel:
-    label = QLabel(text)
-    label.setToolTip(f"<p>{tip}</p>")
-    return label
+def _named(key: str) -> QLabel:
+    text, tip = map(tr, _OF_FACE[key])
+    return text_label(text, tip=tip)

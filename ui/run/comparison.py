@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QHBoxLayout,
     QHeaderView,
@@ -20,7 +19,7 @@ from PySide6.QtWidgets import (
 from ui.document.frame import image_titles
 from ui.run.kept_runs import called
 from ui.run.status import clock
-from ui.widgets.controls import Table, filled, side_by_side
+from ui.widgets.controls import Choice, Table, filled, side_by_side
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.native import rgb_image
 from ui.words import capitalised, field_title, later, tr
@@ -78,7 +77,7 @@ class RunComparison(QDialog):
         super().__init__(window)
         self.setWindowTitle(tr("Comparison of two runs"))
         self._verified = verified
-        self._choice = QComboBox()
+        self._choice = Choice()
         self._choice.setAccessibleName(tr("Image that is shown"))
         self._choice.setToolTip(tr("Choose the image to compare"))
         self._choice.activated.connect(self._show_image)
@@ -105,11 +104,8 @@ class RunComparison(QDialog):
     def show_pair(self, pair: Pair) -> None:
         self.pair = pair
         titles = image_titles(*(run.scene for run in pair))
-        chosen = min(max(self._choice.currentIndex(), 0), len(titles) - 1)
-        self._choice.clear()
-        self._choice.addItems(titles)
-        self._choice.setCurrentIndex(chosen)
-        self._choice.setVisible(len(titles) > 1)
+        chosen = min(self._choice.currentIndex(), len(titles) - 1)
+        self._choice.offer(dict(enumerate(titles)), chosen)
         self._show_image()
 
     def show_figures(self) -> None:

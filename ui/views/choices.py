@@ -1,16 +1,16 @@
 """Choices of an image and of a face of the scene; hidden where there is only one."""
 
-from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
 
 from ui.document.frame import image_titles
 from ui.views.shared_view import SharedView
+from ui.widgets.controls import Choice
 from ui.words import capitalised, tr
 from workbench.geometry.surface import nets_of
 from workbench.scene import Scene
 
 
-class ImageChoice(QComboBox):
+class ImageChoice(Choice):
     """Choice of an image of the scene, shared by all views."""
 
     def __init__(self, shared: SharedView) -> None:
@@ -22,16 +22,10 @@ class ImageChoice(QComboBox):
         self.hide()
 
     def show_scene(self, scene: Scene) -> None:
-        titles = image_titles(scene)
-        with QSignalBlocker(self):
-            if titles != [self.itemText(number) for number in range(self.count())]:
-                self.clear()
-                self.addItems(titles)
-            self.setCurrentIndex(self._shared.number_in(scene))
-        self.setVisible(len(titles) > 1)
+        self.offer(dict(enumerate(image_titles(scene))), self._shared.number_in(scene))
 
 
-class FaceChoice(QComboBox):
+class FaceChoice(Choice):
     """Choice of a freeform face."""
 
     def __init__(self) -> None:
@@ -56,13 +50,5 @@ class FaceChoice(QComboBox):
 
     def show_scene(self, scene: Scene) -> None:
         """Offer the freeform faces of a scene; the selection stays where possible."""
-        faces = list(nets_of(scene))
-        if faces == [self.itemData(number) for number in range(self.count())]:
-            return
-        chosen = self.face if self.face in faces else scene.optic.designed_face
-        with QSignalBlocker(self):
-            self.clear()
-            for face in faces:
-                self.addItem(capitalised(tr(scene.face_in_words(face))), face)
-            self.choose(chosen)
-        self.setVisible(len(faces) > 1)
+        titles = {face: capitalised(tr(scene.face_in_words(face))) for face in nets_of(scene)}
+        self.offer(titles, self.face if self.face in titles else scene.optic.designed_face)

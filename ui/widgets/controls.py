@@ -1,9 +1,9 @@
 """Filling of layouts, chooser, table, splitter, and the layout of a picture and its form."""
 
-from collections.abc import Sequence
-from typing import TypeVar
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeVar
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QAction, QIcon, QKeySequence, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -65,6 +65,20 @@ class Chooser(QComboBox):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
+
+
+class Choice(QComboBox):
+    """A choice among titled values; hidden where there is only one."""
+
+    def offer(self, titles: Mapping[Any, str], chosen: object) -> None:
+        """Offer titles by values, and choose one of them or else the first, without a signal."""
+        with QSignalBlocker(self):
+            if titles != {self.itemData(n): self.itemText(n) for n in range(self.count())}:
+                self.clear()
+                for value, title in titles.items():
+                    self.addItem(title, value)
+            self.setCurrentIndex(max(self.findData(chosen), 0))
+        self.setVisible(len(titles) > 1)
 
 
 _WIDE = 1.3  # times as wide as high

@@ -1,9 +1,10 @@
 """Rows under a heading that folds them away."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from ui.widgets.controls import filled
+from ui.widgets.labels import text_label
 
 
 class Fold(QWidget):
@@ -62,7 +63,6 @@ class Section(QWidget):
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.heading, body = QLabel(title), QWidget()
-        self.heading.setObjectName("section")
+        self.heading, body = text_label(title, "section"), QWidget()
         self.form = form_in(body)
         filled(QVBoxLayout(self), self.heading, body, margins=0, spacing=0)

@@ -33,6 +33,14 @@ class ElidedLabel(QLabel):
         painter.end()
 
 
+def text_label(text: str, style: str = "", tip: str = "") -> QLabel:
+    """Return a label in a style of the style sheet, with a tip that wraps."""
+    made = QLabel(text)
+    made.setObjectName(style)
+    made.setToolTip(tip and f"<p>{tip}</p>")
+    return made
+
+
 _SPACE = "\N{NO-BREAK SPACE}"
 _UNIT = rf"(?:%|{'|'.join(('lm', 'lx', 'cd', 'µm', 'nm', 's', *METRES))})(?![a-z])"
 _BETWEEN = re.compile(rf"(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹])( / | )(?={_UNIT})|(?<=\d) · (?=10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")

@@ -25,7 +25,7 @@ from ui.files.dialogs import FileDialogs
 from ui.panels.forms import Forms
 from ui.run.status import RunStatus
 from ui.widgets.messages import LogView, Messages
-from ui.widgets.native import Uncovered
+from ui.widgets.native import Uncovered, application
 from ui.widgets.shelf import Shelf, open_folder
 from ui.window.edit_notices import RefusedFields
 from ui.window.image_panel import ImagePanel
@@ -181,6 +181,62 @@ class _Capitalised(QStyledItemDelegate):
     ) -> None:
         super().initStyleOption(option, index)
         option.text = capitalised(option.text)
+
+
+class PaneFocus(QObject):
+    """Moves the focus between panes and toolbar, and marks the active pane."""
+
+    def __init__(self, panes: Panes, toolbar: QToolBar, parent: QObject) -> None:
+        super().__init__(parent)
+        self._panes, self._toolbar = panes, toolbar
+        self._marked: QWidget | None = None
+        application().focusChanged.connect(self._mark)
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        return {
+            **{f"go_{name}": partial(self.go, name) for name in PANES},
+            "next_pane": partial(self._step, 1),
+            "previous_pane": partial(self._step, -1),
+        }
+
+    def go(self, name: str) -> None:
+        self._panes.show(name)
+        _enter(self._panes.place(name))
+
+    def _step(self, by: int) -> None:
+        seen = [*map(self._panes.place, filter(self._panes.seen, PANES)), self._toolbar]
+        focused = application().focusWidget()
+        at = next((k for k, pane in enumerate(seen) if _holds(pane, focused)), -1 if by > 0 else 0)
+        _enter(seen[(at + by) % len(seen)])
+
+    def _mark(self, _: QWidget | None, focused: QWidget | None) -> None:
+        pane = next((pane for pane in map(self._panes.place, PANES) if _holds(pane, focused)), None)
+        if focused is None or pane is self._marked:  # no focus: another window is active
+            return
+        for each, active in ((self._marked, False), (pane, True)):
+            if each is not None:
+                each.setProperty("active", active)
+                each.style().unpolish(each)
+                each.style().polish(each)
+                each.update()  # which polishing does not see to
+        self._marked = pane
+
+
+def _holds(pane: QWidget, widget: QWidget | None) -> bool:
+    return widget is not None and (pane is widget or pane.isAncestorOf(widget))
+
+
+def _enter(pane: QWidget) -> None:
+    inner = pane.widget() if isinstance(pane, QDockWidget) else pane
+    last = inner.focusWidget()
+    children = [w for w in inner.findChildren(QWidget) if w.focusPolicy() & Qt.FocusPolicy.TabFocus]
+    for widget in (last, inner, *children):
+        if widget is None or not (widget.isVisible() and widget.isEnabled()):
+            continue
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
+            widget.setFocus(Qt.FocusReason.TabFocusReason)
+            return
+    inner.setFocus(Qt.FocusReason.OtherFocusReason)
 
 
 _COMPILING = later(
