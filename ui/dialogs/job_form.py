@@ -46,7 +46,7 @@ class JobForm(RowForm):
             connect_asked([row], asked.emit)
         heading = text_label(tr(title_of(type(job))), "title")
         about = WrappedLabel(tr(summary_of(type(job))))
-        filled(QVBoxLayout(self), heading, about, self.in_columns(), STRETCH)
+        filled(QVBoxLayout(self), heading, about, self.in_form(self.rows), STRETCH)
         self.show_rows()
 
     def choose_image(self, path: Path) -> None:

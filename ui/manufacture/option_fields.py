@@ -7,7 +7,14 @@ from typing import Any, Generic, Literal, TypeVar
 
 from annotated_types import Ge, Le
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ui.background import Background, Work
 from ui.panels.edits import Edit
@@ -37,8 +44,9 @@ class OptionFields(RowForm, Generic[Group]):
         super().__init__(self._made(), lambda: self._data, self._enter)
         for row in self.rows:
             row.reserve_unit(FEED)
-        columns = self.in_columns(_COLUMN)
-        self.setLayout(columns)
+        columns = filled(QHBoxLayout(self), margins=0, spacing=24)
+        for first in range(0, len(self.rows), _COLUMN):
+            columns.addLayout(self.in_form(self.rows[first : first + _COLUMN]), 1)
         letters = _LETTERS * self.fontMetrics().averageCharWidth()
         self.setMinimumWidth(letters * columns.count())
         self.show_rows()

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ui.panels.edits import Edit, put
 from ui.panels.fields import Row
-from ui.widgets.controls import filled
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.messages import Message
@@ -89,7 +88,7 @@ def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
     return edited
 
 
-_MOST = 100  # rows of a column
+_GAP = 5  # pixels between rows
 
 
 class RowForm(QWidget):
@@ -105,16 +104,14 @@ class RowForm(QWidget):
             row.edited.connect(self.edit)
             row.reverted.connect(self._revert)
 
-    def in_columns(self, most: int = _MOST) -> QHBoxLayout:
-        """Return a layout with the rows below each other, in columns of at most so many."""
-        columns = filled(QHBoxLayout(), margins=0, spacing=24)
-        for number, row in enumerate(self.rows):
-            if number % most == 0:
-                form = QFormLayout()
-                form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-                columns.addLayout(form, 1)
+    def in_form(self, rows: Sequence[Row]) -> QFormLayout:
+        """Return a layout with some of the rows below each other."""
+        form = QFormLayout()
+        form.setVerticalSpacing(_GAP)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        for row in rows:
             form.addRow(row.label, row)
-        return columns
+        return form
 
     @property
     def refused(self) -> bool:

@@ -157,7 +157,7 @@ class PictureDialog(QDialog):
             for row in makers.of_field(fields[name], f"{path}.{name}")
         ]
         self._form = form = RowForm(made, lambda: self._scene, self._edit)
-        form.setLayout(form.in_columns())
+        form.setLayout(form.in_form(made))
         tone = filled(QHBoxLayout(), (self.histogram, 1), form)
         filled(QVBoxLayout(self), (self.view, 1), tone, self._figures, buttons)
         self.view.changed.connect(self._show)

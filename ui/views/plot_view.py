@@ -28,7 +28,7 @@ from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.pictures.axes import Column, paint, shown_data
 
-_LEFT, _BOTTOM, _RIGHT, _TOP = 84, 40, 18, 12  # pixels, for labels
+_LEFT, _BOTTOM, _RIGHT, _TOP = 84, 46, 18, 12  # pixels, for labels and what is over a corner
 _LEAST = 30  # of axes; on smaller ones labels lie over each other
 
 
