@@ -2440,11 +2440,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Verdict: {figure}</source>
-            <translation>Urteil: {figure}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Entrance face</source>
             <translation>Eintrittsfläche</translation>
         </message>
@@ -2452,6 +2447,11 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Entrance face: {figure}</source>
             <translation>Eintrittsfläche: {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Verdict: {figure}</source>
+            <translation>Urteil: {figure}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />

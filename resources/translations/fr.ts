@@ -2440,11 +2440,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Verdict: {figure}</source>
-            <translation>Verdict : {figure}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>Entrance face</source>
             <translation>Face d'entrée</translation>
         </message>
@@ -2452,6 +2447,11 @@
             <location filename="../../ui/manufacture/figures.py" />
             <source>Entrance face: {figure}</source>
             <translation>Face d'entrée : {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Verdict: {figure}</source>
+            <translation>Verdict : {figure}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
