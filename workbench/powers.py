@@ -5,10 +5,11 @@ import re
 
 import numpy as np
 
-from workbench.units import sized
+from workbench.units import METRES, sized
 
 _PLAIN = 1e-2, 1e5  # range of the largest number of a scale without a power
 _LEAST_ALONE = 1e-3  # least single number without a power
+_MICRO = 1e-5  # metres, below which lengths are in micrometres
 _HIGH = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _POWER = re.compile(r"10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+ ")
 
@@ -31,15 +32,18 @@ def power_of(low: float, high: float) -> int:
 def written(value: float, unit: str = "", digits: int = 4) -> str:
     """Return a number with its unit, at most ``digits`` significant digits, without end zeros.
 
-    Without a unit the exponent may be any, else it is a multiple of 3.
+    Without a unit the exponent may be any, else it is a multiple of 3. Lengths of less than 10 µm
+    are in micrometres, except those in inches.
 
     Examples
     --------
     >>> written(-6.024e-5, "/ mm²"), written(0.00123, "mm"), written(12_345, "lx", 3)
-    ('-60.24 · 10⁻⁶ / mm²', '0.00123 mm', '12300 lx')
+    ('-60.24 · 10⁻⁶ / mm²', '1.23 µm', '12300 lx')
     >>> written(6.02e-7), written(1e-6), written(30.0, "°"), written(2.5e6, "cd")
     ('6.02 · 10⁻⁷', '10⁻⁶', '30°', '2.5 · 10⁶ cd')
     """
+    if unit in METRES and unit != "inch" and 0 < abs(value) * float(METRES[unit]) < _MICRO:
+        value, unit = value * float(METRES[unit] * 10**6), "µm"
     value = _rounded(value, digits)
     power = 0 if _LEAST_ALONE <= abs(value) < _PLAIN[1] else power_of(value, value)
     if not power:

@@ -160,7 +160,7 @@ def test_areas_stand_in_a_table_with_their_light(even):
     header, ((area, *values),) = area_table(found)
     assert area == "Lit area of the target"
     shown = dict(zip(header[1:], values, strict=True))
-    assert shown["Average"].endswith("/ cm²")
+    assert shown["Average"].endswith("× mean")
     assert float(shown["U₁ (minimum / maximum)"]) > 0.99
     assert "uniformity" not in dict(check_rows(found, 0.0))
 

@@ -38,7 +38,7 @@ def test_it_holds_each_file_and_a_page_that_names_them(package):
     assert all(f"lens{ending}: " in text for ending in endings)
     for stated in (
         "Size: 2 × 1.4 cm, outline: rectangle",
-        "Form tolerance: 200 · 10⁻⁶ cm",
+        "Form tolerance: 2 µm",
         "Verified error: 0.61 %, the relative L2 difference",
         "middle, top of the stock",
         "lengths in mm",

@@ -63,7 +63,7 @@ def _rows(design: Design, unit: str) -> list[tuple[str, str]]:
     tolerance = design.chosen(Drawing).form_tolerance
     stated = "not stated"
     if tolerance is not None:
-        stated = f"profile within {written(factor * tolerance, unit)} to {BASE}, {SIDE}, {FOOT}"
+        stated = f"profile within {written(factor * tolerance)} {unit} to {BASE}, {SIDE}, {FOOT}"
     return [*rows, ("freeform face", stated)]
 
 

@@ -25,10 +25,6 @@ class Case(NamedTuple):
     probability: float
 
 
-def _known(deviation: float) -> bool:
-    return deviation == 0
-
-
 class _Layer(Process):
     thickness: float
 
@@ -61,7 +57,6 @@ class Uncertainty(Part):
         ANGLE,
         about("Source tilt", "Of collimated light, about x and about y.", le=10),
     ] = 0.0
-
     source_size: Annotated[
         NonNegative,
         Measure("%", "percent"),
@@ -69,7 +64,6 @@ class Uncertainty(Part):
             "Source size",
             "Of an extended source, in percent of its size.",
             le=20,
-            exclude_if=_known,
         ),
     ] = 0.0
     index: Annotated[
@@ -78,7 +72,6 @@ class Uncertainty(Part):
             "Index",
             "Of the refractive index of designed lenses.",
             le=0.05,
-            exclude_if=_known,
         ),
     ] = 0.0
     thickness: Annotated[
@@ -87,7 +80,6 @@ class Uncertainty(Part):
         about(
             "Thickness",
             "Of the material of designed lenses at each freeform face.",
-            exclude_if=_known,
         ),
     ] = 0.0
 
