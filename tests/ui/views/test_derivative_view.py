@@ -9,6 +9,7 @@ import pytest
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.geometry.faces import FaceArrays
+from workbench.measured.lamps import light_unit
 from workbench.powers import written
 
 
@@ -47,7 +48,8 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     wanted = irradiance_derivative(scene, {"lens.back": np.full((12, 10), 0.49)}, (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
-    np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)
+    in_unit = wanted.map * light_unit(scene).density
+    np.testing.assert_allclose(shown.filled(0), in_unit, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wanted.map == 0)
     assert f"{written(wanted.sum, digits=2)} per cm," in seen._readout.text()
     assert seen._readout.text().startswith("x = 0.111 cm, y = 0.143 cm. ")
