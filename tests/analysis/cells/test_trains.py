@@ -125,7 +125,7 @@ def bent(scene, part):
     ],
 )
 def test_cells_and_random_rays_agree_on_trains_of_the_gallery(monkeypatch, name, part, accuracy):
-    monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 18)  # made sooner
+    monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 1 << 19)  # made sooner
     task = open_design(path("examples", f"{name}.json"))
     heights = bent(task.scene, part)
     found = validate(task.scene, task.target, heights, rays=100_000, accuracy=accuracy)
