@@ -214,12 +214,9 @@ class _ElementRows(Rows):
             return None
         if choice == _AUTOMATIC:
             return {path: None}
-        face = next(
-            placed
-            for placed in self._element.placed_faces
-            if path == f"{self.path}.{placed.path}.height_range"
-        )
-        return {path: self._own_range(face)}
+        own = {f"{self.path}.{each.path}.height_range": each for each in self._element.placed_faces}
+        # A row of a kind that the element is no longer of has no face.
+        return {path: self._own_range(own[path])} if path in own else None
 
     def _own_range(self, face: PlacedFace) -> list[float]:
         scene, heights = self._panel.session.scene, self._panel.session.heights

@@ -144,9 +144,6 @@ class Check(QObject):
         if self.background.busy:
             self._forget()
 
-    def close(self) -> None:
-        self.background.close()
-
     def _show_outcome(self, lens: CheckedLens, outcome: "tuple[Validation, float] | None") -> None:
         if outcome is None:  # stopped
             self._forget()
@@ -215,9 +212,6 @@ class RunCheck(QObject):
         control.runner.frame_ready.connect(self._check_frame)
         control.ended.connect(self._finish)
         document.session_changed.connect(self._follow_document)
-
-    def close(self) -> None:
-        self.background.close()
 
     def _follow(self, state: str) -> None:
         if state == "running" and self._last is None:
@@ -295,10 +289,6 @@ class BoundOfDesign(QObject):
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._begin)
         document.session_changed.connect(self.follow)
-
-    def close(self) -> None:
-        self._rest.stop()
-        self._background.close()
 
     def follow(self, session: "Session") -> None:
         last, self._task = self._task, session

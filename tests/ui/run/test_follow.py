@@ -281,4 +281,4 @@ def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     assert desk.frames[-1].state.heights == lens.state.heights
     assert desk.document.session.heights == lens.state.heights
     assert check._asked is not None
-    check.close()
+    check.background.close()
