@@ -133,6 +133,7 @@ class ShownLens(QObject):
 
     frame_changed = Signal(object)
     emptied = Signal(object)
+    untraced = Signal()  # after `emptied`: the design has no image
     outdated_changed = Signal(bool)
 
     def __init__(self, document: Document, parent: QObject) -> None:

@@ -18,7 +18,9 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
+from ui.document.document import Document
 from ui.document.frame import Frame, same_task
+from ui.document.shown_lens import ShownLens
 from ui.views.image_canvas import ImageCanvas, frame_focused, write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
@@ -170,8 +172,16 @@ class PlotView(View):
         super().show_frame(frame)
 
     def show_nothing(self, session: Session) -> None:
-        self._untraced = True
+        self._untraced = False
         super().show_nothing(session)
+
+    def follow(self, document: Document, shown: ShownLens) -> None:
+        super().follow(document, shown)
+        shown.untraced.connect(self._show_untraced)
+
+    def _show_untraced(self) -> None:
+        self._untraced = True
+        self._ask()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.FocusIn:

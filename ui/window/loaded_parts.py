@@ -109,6 +109,7 @@ class LoadedParts(QObject):
         runner = control.runner
         runner.frame_ready.connect(shown.frame_changed)
         runner.unshown.connect(shown.emptied)
+        runner.unshown.connect(shown.untraced)
         shown.frame_changed.connect(self.check.show_frame)
         shown.frame_changed.connect(self._show_frame)
         shown.emptied.connect(self.check.show_nothing)
