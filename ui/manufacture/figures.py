@@ -56,7 +56,7 @@ class LimitFields(RowForm):
         self._own = Limits(
             min_thickness=scene.optic.least_thickness or None,
             min_radius=scene.run.min_radius,
-            min_tool_radius=scene.run.min_tool_radius,
+            min_tool_radius=scene.bends.get("min_tool_radius"),
         )
         self._show_change()
 

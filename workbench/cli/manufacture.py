@@ -45,7 +45,7 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
         check_writable(plot)
     heights = result.state.heights
     if limits.min_tool_radius is None:
-        limits = replace(limits, min_tool_radius=scene.run.min_tool_radius)
+        limits = replace(limits, min_tool_radius=scene.bends.get("min_tool_radius"))
     looked = [_Looked.at(optic, heights, limits) for optic in scene.optics]
     last = looked[-1]
     if as_json:

@@ -95,7 +95,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     error = relative_error(state, target)
     if error < HIGH or not has_converged(result.ended):
         return None
-    limited = state.shortfall or state.account.advice(scene) or grazed(scene) or scene.run.bends
+    limited = state.shortfall or state.account.advice(scene) or grazed(scene) or scene.bends
     if (
         limited
         or out_of_reach(scene, target)

@@ -229,4 +229,4 @@ def asks_for_another_lens(before: Session, after: Session) -> bool:
 
 def _wanted(scene: Scene) -> tuple[object, ...]:
     """What the best lens has least of."""
-    return asked_of_the_lens(scene), scene.run.bends
+    return asked_of_the_lens(scene), scene.bends

@@ -244,7 +244,7 @@ class _Goal:
     def __init__(self, scene: Scene, target: Array) -> None:
         self._scene, self._target = scene, target
         # Radii are kept by a run that has settled: it does not end before.
-        self._goal = 0.0 if scene.run.bends else scene.run.max_error or 0.0
+        self._goal = 0.0 if scene.bends else scene.run.max_error or 0.0
         self._least = _OF_GOAL * self._goal
         self._needed = self._least  # in the run's own light, before a lens is judged
 

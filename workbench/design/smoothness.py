@@ -2,7 +2,8 @@
 
 It is there only if a scene asks for it: ``run.smoothness`` weighs how much the face bends,
 ``run.min_radius`` keeps it from bending more sharply than a tool can follow, and
-``run.min_tool_radius`` keeps its hollows, as seen from outside, wide enough for a ball cutter.
+``run.min_tool_radius``, or milling among the processes, keeps its hollows, as seen from outside,
+wide enough for a ball cutter.
 """
 
 from collections.abc import Mapping
@@ -31,7 +32,7 @@ _UMBILIC = 1e-3
 class Smoothness:
     """Penalty of the faces of a lens for their bends; dimensionless, the same in any unit.
 
-    `scene`: the design task, with a setting of its run that is about bends; `target` (n_y, n_x):
+    `scene`: the design task, which asks something of bends; `target` (n_y, n_x):
     the wanted image in any scale; `device`: where the heights are. `faces`: the freeform faces by
     their names.
     """
@@ -45,14 +46,14 @@ class Smoothness:
                 base = element.place_of(face, x[:, None], y[None, :])
                 self.faces[face] = FaceCurvature(net, base, device, element.outwards(face))
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
-        self._tool = run.min_tool_radius
+        self._tool = scene.bends.get("min_tool_radius")
         wanted = share(target)
         self._loss_of_1 = float(np.sqrt(np.square(wanted).mean()))
 
     @classmethod
     def of(cls, scene: Scene, target: Array, device: torch.device) -> "Smoothness | None":
         """The penalty that a scene asks for, if it asks for one."""
-        return cls(scene, target, device) if scene.run.bends else None
+        return cls(scene, target, device) if scene.bends else None
 
     def penalty(self, heights: Mapping[str, Tensor]) -> Tensor:
         """What is added to the square of the image's relative error.

@@ -128,7 +128,7 @@ def _limits(scene: Scene, optic: Element) -> Limits:
     return Limits(
         min_thickness=optic.least_thickness or None,
         min_radius=scene.run.min_radius,
-        min_tool_radius=scene.run.min_tool_radius,
+        min_tool_radius=scene.bends.get("min_tool_radius"),
     )
 
 

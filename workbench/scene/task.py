@@ -252,6 +252,15 @@ class Scene(Train, SceneFile):
         return last if isinstance(last, Diffuser) else None
 
     @property
+    def bends(self) -> dict[str, float]:
+        """What runs ask of the bends of faces: `Run.bends`, and that balls fit that mill them."""
+        asked = self.run.bends
+        balls = [process.ball_cut.radius for process in self.processes if process.ball_cut]
+        if balls and min(self.optic.degree) > 1:  # else there are edges, which no ball fits
+            asked["min_tool_radius"] = max(*balls, asked.get("min_tool_radius", 0.0))
+        return asked
+
+    @property
     def ideal(self) -> Self:
         """The scene without processes: elements as designed."""
         return self.model_copy(update={"processes": ()})
