@@ -28,7 +28,7 @@ from workbench.scene.making.process import BallCut
 _EXCESS, _GOUGE = 2.0, 0.25
 _DEEPEST = 1e-3  # mm, allowed gouge whatever the scallop height
 _FINE = 1e-4  # scallop height over the larger half-width
-_MOST = 1_000_000  # moves of a pass
+_USUAL, _MOST = 1_000_000, 4_000_000  # moves of a pass: unless more are asked for, and at most
 _LEAST_SCALLOP = 1e-4  # mm, unless requested
 _TRIES, _SMALLER = 8, 0.6  # radii tried where no standard cutter fits, and their ratio
 _WIDE = 0.25  # default roughing cutter over the width of the part
@@ -202,7 +202,7 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     elif cut is not None and cut.radius == radius:
         scallop = face.scallop_of(radius, cut.step_over)
     else:
-        scallop = face.finest_scallop(radius, min(fine, radius / 2), _MOST)
+        scallop = face.finest_scallop(radius, min(fine, radius / 2), _USUAL)
     planned = face.plan_raster(radius, scallop, _MOST, step)
     raster = yield from within(planned, lambda done: 0.75 * done)
     deepest = float(raster.tip.min())
