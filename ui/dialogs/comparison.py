@@ -31,7 +31,6 @@ class ComparisonDialog(QDialog):
         translate(figure)
         self.table = Table(tr("Figures"), 2)
         self.table.horizontalHeader().hide()
-        self.table.horizontalHeader().setStretchLastSection(True)
         self.table.setRowCount(len(rows))
         for number, (name, value) in enumerate(rows):
             self.table.put(number, (capitalised(tr(name)), tr(value)))

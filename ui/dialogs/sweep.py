@@ -100,7 +100,6 @@ class SweepDialog(QDialog):
         self.status.setAccessibleName(tr("Progress of the sweep"))
         self.table, self.curve = Table(tr("Designs of the sweep")), SweepCurve(self)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.table.horizontalHeader().setStretchLastSection(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         action = QDialogButtonBox.ButtonRole.ActionRole
         self.begin, self.look = (
