@@ -68,4 +68,6 @@ def test_regions_and_differences_are_told_in_lux(make_scene, rng):
     expected = light * 2e6 - target / target.sum() / 0.01 * flux * 2e6
     np.testing.assert_allclose(error, expected, atol=1e-6)
     plain_scene = make_scene({**PLATE, "source": LED})
-    np.testing.assert_allclose(shown_error(plain_scene, target, light), error / 2e6, atol=1e-12)
+    area = plain_scene.receiver.total(np.ones((40, 40)))
+    shown = shown_error(plain_scene, target, light)
+    np.testing.assert_allclose(shown, area * error / 2e6, atol=1e-12)
