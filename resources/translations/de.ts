@@ -6596,11 +6596,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Column 0 at −x</source>
-            <translation>Spalte 0 bei −x</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>The side of the light</source>
             <translation>Lichtseite</translation>
         </message>

@@ -6596,11 +6596,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Column 0 at −x</source>
-            <translation>Colonne 0 à −x</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>The side of the light</source>
             <translation>Le côté de la lumière</translation>
         </message>

@@ -47,7 +47,7 @@ class Finish(Part):
     viewed_from: Annotated[
         Side | None,
         Choices((("front", "The side of the light"), ("back", "Behind the receiver"))),
-        LeftOut("Column 0 at −x"),
+        LeftOut("As stored"),
         about(
             "Viewed from",
             "The side of the receiver from which the picture reads the right way round. An opaque "
