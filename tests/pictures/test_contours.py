@@ -48,6 +48,11 @@ def test_lines_follow_the_image_and_can_be_removed(axes):
     assert not axes.lines and not axes.texts
 
 
+def test_a_row_of_pixels_has_no_lines(axes):
+    Contours(axes, EXTENT).show(np.linspace(0, 1, 50)[None, :], 1.0)
+    assert not axes.lines
+
+
 def both(axes):
     return list(zip(axes.texts, axes.lines, strict=True))
 

@@ -231,7 +231,8 @@ class FileActions(QObject):
         given = QMessageBox.question(
             self._dialogs.window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
         )
-        return Answer(given)
+        # A program that is ended closes it without an answer.
+        return next((each for each in Answer if each.value == given), Answer.CANCEL)
 
     def _write(self, path: Path) -> bool:
         if self.find_other(path) is not None:  # which would not know of it

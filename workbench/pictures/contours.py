@@ -36,6 +36,8 @@ class Contours:
         Rings around a few cells are left out; noise has thousands of them.
         """
         self.clear()
+        if min(values.shape) < 2:
+            return  # a line of pixels has no such lines
         left, right, bottom, upper = self._bounds
         n_y, n_x = shape = tuple(min(count, _CELLS) for count in values.shape)
         x = left + (np.arange(n_x) + 0.5) * ((right - left) / n_x)
