@@ -87,7 +87,7 @@ def qtbot(qtbot):
 @pytest.fixture(autouse=True)
 def camera_without_flights(monkeypatch):
     """The camera of the 3D view is at once where it was sent."""
-    monkeypatch.setattr("ui.views.scene_view.flight_ms", lambda view: 0)
+    monkeypatch.setattr("ui.views.flight.flight_ms", lambda view: 0)
 
 
 @pytest.fixture

@@ -310,7 +310,7 @@ def test_a_click_on_the_compass_turns_the_camera_and_a_press_stops_it(
     qtbot.mouseClick(plotter, Qt.MouseButton.LeftButton, pos=ball())
     np.testing.assert_allclose(plotter.camera.direction, (0, -1, 0), atol=1e-12)
     assert picture.fitted
-    monkeypatch.setattr("ui.views.scene_view.flight_ms", lambda view: 10_000)
+    monkeypatch.setattr("ui.views.flight.flight_ms", lambda view: 10_000)
     view.fit("+z")
     assert plotter.camera.direction[2] > -0.9  # on its way
     qtbot.mouseClick(plotter, Qt.MouseButton.MiddleButton, pos=QPoint(30, 30))

@@ -18,16 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import (
-    QEasingCurve,
-    QEvent,
-    QObject,
-    QPoint,
-    Qt,
-    QTimer,
-    QVariantAnimation,
-    Signal,
-)
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QContextMenuEvent,
@@ -37,9 +28,10 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QGridLayout, QSizePolicy, QStyle
+from PySide6.QtWidgets import QGridLayout, QSizePolicy
 
 from ui.document.frame import Frame, same_task
+from ui.views.flight import Flight
 from ui.views.image_canvas import RING, frame_focused
 from ui.views.scene_contents import SceneContents
 from ui.views.shared_view import SharedView
@@ -78,10 +70,7 @@ class SceneView(View):
         make_native(self)
         self._plotter: Any = None
         self._compass: Compass | None = None
-        self._flight = QVariantAnimation(self, startValue=0.0, endValue=1.0)
-        self._flight.setEasingCurve(QEasingCurve.Type.InOutQuad)
-        self._flight.valueChanged.connect(self._fly)
-        self._way: tuple[CameraState, CameraState] | None = None
+        self._flight = Flight(self, self._fly)
         self._contents = SceneContents(self)
         self.nets = self._contents.nets
         self.nets.changed.connect(self._ask)
@@ -185,7 +174,7 @@ class SceneView(View):
         """Where the camera stands, as plain data; None before the first drawing."""
         picture = self._contents.picture
         if self._placement is None and picture is not None:
-            self._land()
+            self._flight.land()
             return picture.camera.placement()
         return self._placement
 
@@ -225,20 +214,13 @@ class SceneView(View):
             before = picture.camera.state()
             picture.fit(view)
             self._plotter.update()
-            self._way = before, picture.camera.state()
-            self._flight.stop()
-            self._flight.setDuration(flight_ms(self) if self.isVisible() else 0)
-            self._flight.start()
+            self._flight.begin(before, picture.camera.state())
 
-    def _fly(self, part: float) -> None:
+    def _fly(self, before: "CameraState", after: "CameraState", part: float) -> None:
         picture = self._contents.picture
-        if picture is not None and self._way is not None:
-            picture.camera.fly(*self._way, part)
+        if picture is not None:
+            picture.camera.fly(before, after, part)
             self._plotter.update()
-
-    def _land(self) -> None:
-        if self._flight.state() is QVariantAnimation.State.Running:
-            self._flight.setCurrentTime(self._flight.duration())
 
     def _pixels_of_hint(self) -> int:
         height = self._hint.height() if self._hint.isVisible() else 0
@@ -258,7 +240,7 @@ class SceneView(View):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._land()
+        self._flight.land()
         QTimer.singleShot(0, self, self._fit_again)  # once the plotter has its new size
 
     def _fit_again(self) -> None:
@@ -376,7 +358,7 @@ class SceneView(View):
         self._plotter.setCursor(self._tool.cursor if self._tool else Qt.CursorShape.ArrowCursor)
 
     def _begin(self, session: Session) -> None:
-        self._land()
+        self._flight.land()
         space, former = self._space(session.scene), self._contents.picture
         least = 0.0 if former is None or former.fitted else _FAR
         moved = self._held is None or _moved(self._held, space) > least
@@ -397,11 +379,6 @@ class SceneView(View):
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())
-
-
-def flight_ms(view: SceneView) -> int:
-    """How long the camera flies to another view: as the style animates; 0 for not at all."""
-    return view.style().styleHint(QStyle.StyleHint.SH_Widget_Animation_Duration, None, view)
 
 
 def _moved(before: Array, after: Array) -> float:
