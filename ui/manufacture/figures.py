@@ -53,11 +53,7 @@ class LimitFields(RowForm):
         if self._unit != scene.unit:
             self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
             self.forget()
-        self._own = Limits(
-            min_thickness=scene.optic.least_thickness or None,
-            min_radius=scene.run.min_radius,
-            min_tool_radius=scene.bends.get("min_tool_radius"),
-        )
+        self._own = Limits.asked(scene, scene.optic)
         self._show_change()
 
     def _show(self) -> None:

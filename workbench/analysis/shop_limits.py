@@ -1,9 +1,12 @@
 """Limits of a workshop, with their titles, tips and units."""
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from workbench.option_groups import DEGREES, LENGTH, OptionGroup, option
+
+if TYPE_CHECKING:
+    from workbench.scene import Element, Scene
 
 
 def _limit(title: str, tip: str, unit: str = LENGTH, **more: Any) -> Any:
@@ -32,3 +35,12 @@ class Limits(OptionGroup):
         "Radius of the ball cutter that must fit everywhere on the face. A larger ball leaves "
         "material in hollows",
     )
+
+    @classmethod
+    def asked(cls, scene: "Scene", optic: "Element") -> "Limits":
+        """Return the limits that a design task asks of one of its elements."""
+        return cls(
+            min_thickness=optic.least_thickness or None,
+            min_radius=scene.run.min_radius,
+            min_tool_radius=scene.bends.get("min_tool_radius"),
+        )

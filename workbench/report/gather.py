@@ -75,7 +75,9 @@ def gather(
         tolerances[0].check(scene)
     heights = result.state.heights
     found = finished(checking(scene, target, heights, rays))
-    made = [(optic, manufacture(optic, heights), _limits(scene, optic)) for optic in scene.optics]
+    made = [
+        (optic, manufacture(optic, heights), Limits.asked(scene, optic)) for optic in scene.optics
+    ]
     seen = [session.of_image(number) for number in range(len(found.images))]
     whiches = [f", image {n + 1}" if found.further else "" for n in range(len(found.images))]
     images = list(zip(seen, found.images, whiches, strict=True))
@@ -122,14 +124,6 @@ def gather(
     dated = dated.astimezone()
     subtitle = f"Design of {dated:%Y-%m-%d %H:%M %Z} · Freeform Lens Workbench {__version__}"
     return Report(visible(name), subtitle, dated, tuple(sections))
-
-
-def _limits(scene: Scene, optic: Element) -> Limits:
-    return Limits(
-        min_thickness=optic.least_thickness or None,
-        min_radius=scene.run.min_radius,
-        min_tool_radius=scene.bends.get("min_tool_radius"),
-    )
 
 
 def _seen_picture(session: Session, found: Validation, which: str) -> PagePicture:
