@@ -24,7 +24,7 @@ from workbench.scene.image import (
 )
 from workbench.scene.lens import Lens
 from workbench.scene.making.kinds import AnyProcess
-from workbench.scene.making.process import check_processes
+from workbench.scene.making.process import BallCut, check_processes
 from workbench.scene.making.uncertainty import Uncertainty
 from workbench.scene.mirror_diffuser import Diffuser, Mirror
 from workbench.scene.paraxial import of_designed_element, seen_by
@@ -254,11 +254,16 @@ class Scene(Train, SceneFile):
     @property
     def bends(self) -> dict[str, float]:
         """What runs ask of the bends of faces: `Run.bends`, and that balls fit that mill them."""
-        asked = self.run.bends
-        balls = [process.ball_cut.radius for process in self.processes if process.ball_cut]
-        if balls and min(self.optic.degree) > 1:  # else there are edges, which no ball fits
-            asked["min_tool_radius"] = max(*balls, asked.get("min_tool_radius", 0.0))
+        asked, cuts = self.run.bends, self.ball_cuts
+        if cuts and min(self.optic.degree) > 1:  # else there are edges, which no ball fits
+            radii = [asked.get("min_tool_radius", 0.0), *(cut.radius for cut in cuts)]
+            asked["min_tool_radius"] = max(radii)
         return asked
+
+    @property
+    def ball_cuts(self) -> tuple[BallCut, ...]:
+        """The cuts with a ball cutter among its processes, in their order."""
+        return tuple(filter(None, (process.ball_cut for process in self.processes)))
 
     @property
     def ideal(self) -> Self:

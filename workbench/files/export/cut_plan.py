@@ -22,7 +22,6 @@ from workbench.geometry.roughing import Cutter, Roughing, plan_roughing
 from workbench.messages import Message
 from workbench.powers import written
 from workbench.progress import Steps, within
-from workbench.scene.making.process import BallCut
 
 # Allowed excess and gouge over the scallop height: a cutter that fits has less.
 _EXCESS, _GOUGE = 2.0, 0.25
@@ -146,14 +145,8 @@ def _asked_radius(design: Design) -> float | None:
         return cutter_radius(cutting.cutter, design.unit)
     if cutting.tool_radius is not None:
         return cutting.tool_radius
-    planned = _planned(design)
+    planned = next(iter(design.scene.ball_cuts), None)
     return design.scene.run.min_tool_radius if planned is None else planned.radius
-
-
-def _planned(design: Design) -> BallCut | None:
-    """The cut among the processes of the scene."""
-    cuts = (process.ball_cut for process in design.scene.processes)
-    return next(filter(None, cuts), None)
 
 
 def _roughing_radius(design: Design) -> float | None:
@@ -196,7 +189,7 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     cutting, step = design.cutting, step_of(design)
     mm, top = 1e3 * design.metres, float(face.heights.max()) + design.cutting.stock_above
     fine = max(_FINE * max(design.net.half_width), _LEAST_SCALLOP / mm, 2 * step)
-    cut = _planned(design)
+    cut = next(iter(design.scene.ball_cuts), None)
     if cutting.scallop is not None:
         scallop = cutting.scallop
     elif cut is not None and cut.radius == radius:
