@@ -17,6 +17,7 @@ from workbench.measured.surfaces import read_surface
 from workbench.progress import finished
 from workbench.reading import opened
 from workbench.scene.making import presets
+from workbench.scene.making.uncertainty import SHARES
 
 if TYPE_CHECKING:
     from workbench.analysis.making.photograph import Corner, Photograph
@@ -151,7 +152,7 @@ def expected_error(session: Session) -> "ExpectedError":
 
 
 def compromises(
-    session: Session, shares: Sequence[float] = (0.0, 0.25, 0.5, 1.0), iterations: int | None = None
+    session: Session, shares: Sequence[float] = SHARES, iterations: int | None = None
 ) -> "tuple[Compromise, ...]":
     """Lenses for parts of the scene's uncertainty, with their errors over the whole of it.
 

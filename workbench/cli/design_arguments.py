@@ -138,7 +138,6 @@ def add_robust(commands: Any) -> None:
         metavar="PART",
         nargs="+",
         type=_share,
-        default=(0.0, 0.25, 0.5, 1.0),
         help="parts of the standard deviations that designs know; 0 is the exact set-up "
         "[0 0.25 0.5 1]",
     )
@@ -159,10 +158,11 @@ def _share(text: str) -> float:
 
 def _run_robust(options: argparse.Namespace) -> None:
     from workbench.cli.robust import robust
+    from workbench.scene.making.uncertainty import SHARES
 
     robust(
         options.scene,
-        options.shares,
+        options.shares or SHARES,
         options.iterations,
         options.folder,
         options.plot,

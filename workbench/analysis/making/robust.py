@@ -15,10 +15,7 @@ from workbench.errors import Refused
 from workbench.messages import Message
 from workbench.progress import Steps, of_equal, within
 from workbench.scene import Scene
-from workbench.scene.making.uncertainty import Uncertainty
-
-SHARES = (0.0, 0.25, 0.5, 1.0)
-"""Parts of an uncertainty that compromises are designed for."""
+from workbench.scene.making.uncertainty import SHARES, Uncertainty
 
 
 class ExpectedError(NamedTuple):

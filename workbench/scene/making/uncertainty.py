@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 
+SHARES = (0.0, 0.25, 0.5, 1.0)
+"""Parts of an uncertainty that compromises are designed for, unless stated."""
+
+
 class Case(NamedTuple):
     """A set-up that may be, and how likely."""
 
