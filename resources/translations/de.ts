@@ -10101,8 +10101,8 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/measured/lamps.py" />
-            <source>{value} × mean</source>
-            <translation>{value} × Mittel</translation>
+            <source>{value} {unit}</source>
+            <translation>{value} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/__init__.py" />

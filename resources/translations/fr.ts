@@ -10101,8 +10101,8 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/measured/lamps.py" />
-            <source>{value} × mean</source>
-            <translation>{value} × moyenne</translation>
+            <source>{value} {unit}</source>
+            <translation>{value} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/__init__.py" />

@@ -174,7 +174,7 @@ class LightUnit(NamedTuple):
         """A density with its unit."""
         value = density * self.density
         if self.lumens is None:
-            return Message("{value} × mean", value=written(value))
+            return Message("{value} {unit}", value=written(value), unit=self.words)
         return written(value, self.words)
 
 
