@@ -45,14 +45,6 @@ class CustomIndex(Part):
         return refractive_index(name, wavelength_um) + off
 
 
-def denser(material: str | CustomIndex, index: float, off: float) -> CustomIndex:
-    """Return a material with another index and the same dispersion; files have its index alone."""
-    made = CustomIndex(index=index + off)
-    if isinstance(material, str):
-        made._off = material, off
-    return made
-
-
 def _name_or_index(value: Any, read: ValidatorFunctionWrapHandler) -> Any:
     # One error, not one for each member of the union.
     try:
@@ -206,8 +198,11 @@ class Lens(Element):
         return copy
 
     def denser(self, off: float) -> Self:
-        """See `Element.denser`."""
-        return self.model_copy(update={"material": denser(self.material, self.index, off)})
+        """See `Element.denser`; its dispersion stays, and files have its index alone."""
+        made = CustomIndex(index=self.index + off)
+        if isinstance(self.material, str):
+            made._off = self.material, off
+        return self.model_copy(update={"material": made})
 
     @property
     def entrance_z(self) -> float:
