@@ -1,6 +1,7 @@
 """Sources that name a file: their intensity or rays, cached, and the unit of their light."""
 
 import io
+import math
 import os
 from collections.abc import Callable
 from functools import lru_cache
@@ -213,7 +214,8 @@ def light_unit(scene: Scene) -> LightUnit:
     """
     receiver, lumens = scene.receiver, _lumens(scene)
     if lumens is None:
-        return LightUnit(Message("× mean"), receiver.total(np.ones(receiver.pixels[::-1])))
+        whole = float(np.mean(receiver.pixel_measure)) * math.prod(receiver.pixels)
+        return LightUnit(Message("× mean"), whole)
     if not receiver.measure.power:
         return LightUnit("cd", lumens, lumens)
     return LightUnit("lx", lumens / float(units.METRES[scene.unit]) ** 2, lumens)
