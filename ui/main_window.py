@@ -120,8 +120,8 @@ class MainWindow(QMainWindow):
         loaded.state_changed.connect(self._watch_run)
         loaded.check.asked.connect(lambda: self.workspaces.reveal("check", "check"))
         loaded.control.ended.connect(self._end_run)
-        self.pages.start_shown.connect(loaded.follow.hold)
-        loaded.follow.hold(self.pages.at_start)
+        self.pages.start_shown.connect(partial(loaded.follow.hold, "start page"))
+        loaded.follow.hold("start page", self.pages.at_start)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
         loaded.follow.message.connect(self._show_following)

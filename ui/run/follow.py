@@ -67,7 +67,8 @@ class Follow(QObject):
         super().__init__(parent)
         self._document, self._control = document, control
         self._live = live or LiveDesign()
-        self._on = self._held = False
+        self._on = False
+        self._holders: set[str] = set()  # what it pauses for
         self.text = ""
         self._changes = 0  # of the document, since what is followed was put there
         # The same object as long as the lens made last is one of the design before the next edit.
@@ -107,13 +108,14 @@ class Follow(QObject):
         elif session.result is None and self.follows(session) and not self._control.busy:
             self._begin(session, own_step=session.heights is not None)
 
-    def hold(self, held: bool) -> None:
-        """Pause for a check; edits meanwhile and a missing lens are designed after it."""
-        if held == self._held:
-            return
-        if held:
+    def hold(self, holder: str, held: bool) -> None:
+        """Pause for a check or a page; edits meanwhile and a missing lens are designed after it."""
+        before = self._held
+        if held and not before:
             self._take_frame()
-        self._held = held
+        (self._holders.add if held else self._holders.discard)(holder)
+        if self._held == before:
+            return
         waiting = self._wanted
         if held:
             self._show_best()
@@ -123,6 +125,10 @@ class Follow(QObject):
                 self._wanted = waiting
         elif waiting is not None and not self._changes:
             self._begin(waiting)
+
+    @property
+    def _held(self) -> bool:
+        return bool(self._holders)
 
     def close(self) -> None:
         self._on = False
@@ -292,7 +298,8 @@ class Follow(QObject):
             self.failed.emit(sentence)
 
     def _is_wanted(self, design: _Design) -> bool:
-        return design.session is self._wanted and not (self._changes or self._held)
+        elsewhere = self._changes or self._held or design.job.gate.given_up
+        return design.session is self._wanted and not elsewhere
 
     def _rest_for_run(self, state: str) -> None:
         if state == "running":

@@ -155,7 +155,7 @@ class LoadedParts(QObject):
         follow, early, command = self.follow, self._early, self._early.commands["follow"]
         follow.settled.connect(self.runs.show)
         follow.failed.connect(early.messages.warn)
-        self.check.under_way_changed.connect(follow.hold)
+        self.check.under_way_changed.connect(partial(follow.hold, "check"))
         self.tools.editing_began.connect(follow.rest)
         command.triggered.connect(lambda on: settings.setValue(FOLLOW, on))
         early.commands.connect_toggles({"follow": follow.switch})

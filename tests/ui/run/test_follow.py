@@ -3,6 +3,7 @@
 import threading
 import time
 from dataclasses import replace
+from functools import partial
 
 import pytest
 
@@ -265,7 +266,7 @@ def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, desi
 def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     check = Check(desk.document)
     desk.control.runner.frame_ready.connect(check.show_frame)
-    check.under_way_changed.connect(desk.follow.hold)
+    check.under_way_changed.connect(partial(desk.follow.hold, "check"))
     asked = []
     check.background.begin = lambda work, lens, title: asked.append(lens)
     desk.engine.iterations, desk.engine.gets_worse = 1000, True
@@ -282,3 +283,23 @@ def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     assert desk.document.session.heights == lens.state.heights
     assert check._asked is not None
     check.background.close()
+
+
+def test_a_new_task_is_designed_once_nothing_pauses_any_more(desk, session, qtbot):
+    desk.follow.hold("start page", True)
+    desk.document.begin(session, "anew")
+    desk.follow.hold("check", False)  # that nobody began
+    qtbot.wait(100)
+    assert not desk.engine.asked
+    desk.follow.hold("start page", False)
+    desk.wait()
+    assert desk.document.session.result is not None
+
+
+def test_a_task_that_is_begun_anew_is_designed(desk, session):
+    desk.engine.hold()
+    desk.document.begin(session, "anew")
+    desk.document.begun.emit(session)
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    assert desk.document.session.result is not None
