@@ -17,6 +17,7 @@ from workbench.design.task import origin
 from workbench.files.session import Session
 
 _FRAME_MS = 66  # 15 Hz
+_PATIENCE_MS = 3000  # after which a run that was stopped is given up
 
 
 class Runner(QObject):
@@ -46,6 +47,8 @@ class Runner(QObject):
         self._background.failed.connect(self._end)
         self._timer = QTimer(self, interval=_FRAME_MS)
         self._timer.timeout.connect(self._take_frame)
+        self._patience = QTimer(self, singleShot=True, interval=_PATIENCE_MS)
+        self._patience.timeout.connect(self._give_up)
 
     def start(self, session: Session, continue_run: bool) -> None:
         if self.state != "idle":
@@ -75,9 +78,13 @@ class Runner(QObject):
             self._set_state("running")
 
     def stop(self) -> None:
-        """End the run before its next iteration; `finished` follows."""
+        """End the run before its next iteration; `finished` follows.
+
+        Work that takes longer than a person waits, such as a first design, is given up.
+        """
         if self._job is not None and self.state in ("running", "paused"):
             self._job.gate.stop()
+            self._patience.start()
             self._set_state("stopping")
 
     def shutdown(self) -> None:
@@ -95,11 +102,16 @@ class Runner(QObject):
     def _drop_job(self) -> None:
         self._set_waiting(False)
         self._timer.stop()
+        self._patience.stop()
         self.best = None
         if self._job is not None:
             self._job.gate.stop()
             self._job = None
             self._background.cancel()
+
+    def _give_up(self) -> None:
+        if self._job is not None:
+            self._job.gate.give_up()
 
     def _take_frame(self) -> None:
         if self._job is None:
@@ -154,6 +166,7 @@ class RunControl(QObject):
         self.history = FrameHistory(self)
         self.runner.frame_ready.connect(self._keep)
         self.runner.finished.connect(self._finish)
+        self.runner.state_changed.connect(self._keep_task)
         self._preview = QTimer(self, singleShot=True, interval=_PREVIEW_MS)
         self._preview.timeout.connect(self._show_preview)
         document.session_changed.connect(self._preview.start)
@@ -202,6 +215,9 @@ class RunControl(QObject):
     def _show_preview(self) -> None:
         if not (self.busy or self.followed):
             self.runner.preview(self._document.session)
+
+    def _keep_task(self, state: str) -> None:
+        self._document.in_run = state != "idle"
 
     def _keep(self, frame: Frame) -> None:
         if self.busy:  # a preview is no moment of a run

@@ -9,6 +9,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from contextvars import ContextVar
 from enum import Enum
@@ -17,7 +18,7 @@ import torch
 
 from workbench.optics.kernels import beam_image, box_image
 from workbench.optics.train import compiled
-from workbench.progress import given_up_when
+from workbench.progress import check_given_up
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
@@ -35,34 +36,40 @@ class _Use(Enum):
     NONE = "none"
 
 
+_Kernel = tuple[str, torch.dtype]
+
 _use = ContextVar("_use", default=_Use.ALL)
-_ready: set[tuple[str, torch.dtype]] = set()
-_failures: dict[tuple[str, torch.dtype], Exception] = {}
-_compiling = threading.Lock()
-_next = threading.Lock()  # held by whoever waits for `_compiling`: so they get it in turns
+# One thread compiles, one kernel after the other. A kernel is for all later work: it is compiled
+# even if the work that asked for it is given up meanwhile.
+_compiler = ThreadPoolExecutor(1, "compiler")
+_compilations: dict[_Kernel, Future[None]] = {}
+_asking = threading.Lock()
+_LOOK = 0.1  # seconds between two looks whether waiting work is given up
 
 
 def obtain(name: str, dtype: torch.dtype) -> bool:
     """Whether a kernel can be called; compiles it, or waits for it, if this thread may.
 
-    `name`: "train", "beams" or "boxes"; `dtype`: float type of the trace.
+    `name`: "train", "beams" or "boxes"; `dtype`: float type of the trace. Raises
+    `workbench.progress.Interrupted` if the work of this thread is given up while it waits.
     """
     use, kernel = _use.get(), (name, dtype)
     if use is _Use.NONE:
         return False
     if use is _Use.ALL:
-        _compile(name, dtype)
-    return kernel in _ready
+        _wait_for(kernel)
+    return _is_done(kernel) and failure(name, dtype) is None
 
 
-def failure(name: str, dtype: torch.dtype) -> Exception | None:
+def failure(name: str, dtype: torch.dtype) -> BaseException | None:
     """Why a kernel could not be compiled, if that was tried."""
-    return _failures.get((name, dtype))
+    kernel = name, dtype
+    return _compilations[kernel].exception() if _is_done(kernel) else None
 
 
 def is_compiled(dtype: torch.dtype = torch.float32) -> bool:
     """Whether no trace has to wait for a kernel of this float type any more."""
-    return all(kernel in _ready or kernel in _failures for kernel in _kernels(dtype))
+    return all(map(_is_done, _kernels(dtype)))
 
 
 def compile_all(
@@ -77,10 +84,11 @@ def compile_all(
     for kernel in _kernels(dtype):
         if not goes_on():
             return
-        _compile(*kernel)
-    for kernel in _kernels(dtype):
-        if kernel in _failures:
-            raise _failures[kernel]
+        _wait_for(kernel)
+    for name, _ in _kernels(dtype):
+        error = failure(name, dtype)
+        if error is not None:
+            raise error
 
 
 @contextmanager
@@ -97,27 +105,22 @@ def held_back() -> Iterator[None]:
         yield
 
 
-def _kernels(dtype: torch.dtype) -> list[tuple[str, torch.dtype]]:
+def _kernels(dtype: torch.dtype) -> list[_Kernel]:
     return [(name, dtype) for name in _COMPILERS]
 
 
-def _compile(name: str, dtype: torch.dtype) -> None:
-    kernel = name, dtype
-    if kernel in _ready or kernel in _failures:
-        return
-    with _next:
-        _compiling.acquire()
-    try:
-        if kernel not in _ready and kernel not in _failures:
-            # The kernel is for all later work: it is compiled even if the work of this thread is
-            # given up meanwhile, which would otherwise count as a kernel that cannot be compiled.
-            with given_up_when(lambda: False):
-                _COMPILERS[name](dtype)
-            _ready.add(kernel)
-    except Exception as error:  # of any kind: compilers have many; `failure` keeps it
-        _failures[kernel] = error
-    finally:
-        _compiling.release()
+def _is_done(kernel: _Kernel) -> bool:
+    return kernel in _compilations and _compilations[kernel].done()
+
+
+def _wait_for(kernel: _Kernel) -> None:
+    with _asking:
+        if kernel not in _compilations:
+            name, dtype = kernel
+            _compilations[kernel] = _compiler.submit(_COMPILERS[name], dtype)
+    while not _compilations[kernel].done():
+        wait([_compilations[kernel]], _LOOK)
+        check_given_up()
 
 
 @contextmanager

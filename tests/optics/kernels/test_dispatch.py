@@ -2,6 +2,7 @@
 
 import threading
 import time
+from functools import partial
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from workbench.optics import ready
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface
-from workbench.progress import given_up_when
+from workbench.progress import Interrupted, given_up_when
 
 
 def lens(scene, seed=3):
@@ -24,8 +25,7 @@ def lens(scene, seed=3):
 @pytest.fixture
 def nothing_compiled(monkeypatch):
     """As in a new process, but for what numba has in memory."""
-    monkeypatch.setattr(ready, "_ready", set())
-    monkeypatch.setattr(ready, "_failures", {})
+    monkeypatch.setattr(ready, "_compilations", {})
 
 
 def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
@@ -47,68 +47,94 @@ def test_a_preview_does_not_wait_for_a_kernel(make_scene, nothing_compiled):
     with ready.without_waiting():
         assert plan.notes[0].startswith("reference")
         early = plan.trace({"lens.back": lens(scene)}).flux
-    assert not ready._ready
+    assert not ready.is_compiled()
     assert plan.notes[0].startswith("fused")
     assert torch.allclose(plan.trace({"lens.back": lens(scene)}).flux, early, atol=1e-6)
     with ready.without_waiting():
         assert plan.notes[0].startswith("fused")
 
 
-def test_a_trace_waits_for_a_kernel_that_another_thread_compiles(make_scene, nothing_compiled):
+def compiles_once_let(monkeypatch, name):
+    """A kernel that is compiled while the first event is set and until the second one is."""
+    began, goes_on = threading.Event(), threading.Event()
+
+    def compile_for(dtype):
+        began.set()
+        assert goes_on.wait(60)
+
+    monkeypatch.setitem(ready._COMPILERS, name, compile_for)
+    return began, goes_on
+
+
+def test_a_trace_waits_for_a_kernel_that_another_thread_compiles(
+    make_scene, monkeypatch, nothing_compiled
+):
+    began, goes_on = compiles_once_let(monkeypatch, "other")
     plan, notes = Plan(make_scene()), []
+    other = threading.Thread(target=ready.obtain, args=("other", torch.float32))
     thread = threading.Thread(target=lambda: notes.extend(plan.notes))
-    with ready._compiling:
-        thread.start()
-        thread.join(0.2)
-        assert thread.is_alive()
+    other.start()
+    assert began.wait(60)
+    thread.start()
+    thread.join(0.2)
+    assert thread.is_alive()
+    goes_on.set()
     thread.join()
+    other.join()
     assert notes[0].startswith("fused kernels")
 
 
+def test_work_that_is_given_up_does_not_wait_for_its_kernel(monkeypatch, nothing_compiled):
+    _, goes_on = compiles_once_let(monkeypatch, "train")
+    with given_up_when(lambda: True), pytest.raises(Interrupted):
+        ready.obtain("train", torch.float32)
+    goes_on.set()
+    assert ready.obtain("train", torch.float32)
+    assert ready.failure("train", torch.float32) is None
+
+
 def test_a_kernel_that_is_needed_is_compiled_before_the_rest(monkeypatch, nothing_compiled):
-    order, first, goes_on = [], threading.Event(), threading.Event()
-
-    def compiler(name):
-        def compile_for(dtype):
-            order.append(name)
-            first.set()
-            assert goes_on.wait(60)
-
-        return compile_for
-
-    monkeypatch.setattr(ready, "_COMPILERS", {name: compiler(name) for name in "abc"})
+    order = []
+    kernels = {name: partial(lambda name, _: order.append(name), name) for name in "abc"}
+    monkeypatch.setattr(ready, "_COMPILERS", kernels)
+    began, goes_on = compiles_once_let(monkeypatch, "a")
     threads = [threading.Thread(target=ready.compile_all)]
     threads[0].start()
-    assert first.wait(60)
+    assert began.wait(60)
     threads.append(threading.Thread(target=ready.obtain, args=("c", torch.float32)))
     threads[1].start()
-    while not ready._next.locked():  # until it waits for the one under way
+    while ("c", torch.float32) not in ready._compilations:
         time.sleep(0.001)
     goes_on.set()
     for thread in threads:
         thread.join()
-    assert order == ["a", "c", "b"]
+    assert order == ["c", "b"]
 
 
 def test_a_program_alone_compiles_what_it_needs_at_once(make_scene, nothing_compiled):
     plan = Plan(make_scene(), dtype=torch.float64)
     assert plan.notes[0].startswith("fused kernels")
     assert plan.notes[0].endswith("float64")
-    assert ("train", torch.float64) in ready._ready
+    with ready.without_waiting():
+        assert ready.obtain("train", torch.float64)
 
 
 def test_compiling_ahead_can_be_interrupted(nothing_compiled):
+    def compiled_so_far():
+        with ready.without_waiting():
+            return [name for name in ready._COMPILERS if ready.obtain(name, torch.float32)]
+
     ready.compile_all(lambda: False)
-    assert not ready._ready
+    assert compiled_so_far() == []
     answers = iter([True, False])
     ready.compile_all(lambda: next(answers))
-    assert ready._ready == {("train", torch.float32)}
+    assert compiled_so_far() == ["train"]
     assert not ready.is_compiled()
 
 
 @pytest.mark.parametrize("kernel", list(ready._COMPILERS))
-def test_a_kernel_is_compiled_for_work_that_is_given_up_meanwhile(kernel, nothing_compiled):
-    with given_up_when(lambda: True), torch.no_grad():
+def test_a_kernel_is_compiled_for_work_without_gradients(kernel, nothing_compiled):
+    with torch.no_grad():
         assert ready.obtain(kernel, torch.float32)
     assert ready.failure(kernel, torch.float32) is None
 
@@ -125,8 +151,8 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
     monkeypatch.setitem(ready._COMPILERS, "train", fail)
     with pytest.raises(ValueError, match="no such register"):
         ready.compile_all()
-    others = {"beams", "boxes"}
-    assert ready._ready == {(name, torch.float32) for name in others}
+    assert all(ready.obtain(name, torch.float32) for name in ("beams", "boxes"))
+    assert not ready.obtain("train", torch.float32)
     assert ready.is_compiled()  # nothing to wait for
     scene = make_scene()
     plan = Plan(scene)

@@ -1,6 +1,7 @@
 """The runner with its thread."""
 
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from PySide6.QtCore import QThread
 
 from ui.run.control import Runner
 from workbench.errors import RunFailed
+from workbench.progress import check_given_up
 
 
 class Heard:
@@ -83,6 +85,29 @@ def test_stops_before_the_next_iteration(session, gated, start_runner, qtbot):
     assert heard.states == ["running", "stopping", "idle"]
     assert heard.results[0].iterations == 3
     assert heard.frames[-1].snapshot.iteration == 3
+
+
+@pytest.mark.parametrize("paused", [False, True])
+def test_a_first_design_that_takes_long_is_given_up_after_stop(
+    session, start_runner, qtbot, paused
+):
+    began = threading.Event()
+
+    def endless(scene, target, start=None, locked=None):
+        began.set()
+        while True:
+            check_given_up()
+            time.sleep(0.01)
+        yield
+
+    runner, heard = start_runner(endless)
+    runner.start(session, continue_run=False)
+    assert began.wait(10)
+    if paused:
+        runner.pause()
+    runner.stop()
+    qtbot.waitUntil(lambda: runner.state == "idle", timeout=20_000)
+    assert heard.results == [None] and not heard.failures
 
 
 def test_pauses_shows_the_last_snapshot_and_resumes(session, gated, start_runner, qtbot):
