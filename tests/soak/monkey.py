@@ -35,6 +35,7 @@ from tests.stress.random_trains import TrainDraw
 from ui import app
 from ui.main_window import MainWindow
 from ui.windows import Windows
+from workbench.geometry.surface import nets_of
 
 REST_SECONDS = 60.0
 WARM_UP_SECONDS = 600.0  # until every library has been loaded that something needs
@@ -168,6 +169,19 @@ class Monkey(QObject):
             sys.excepthook(*sys.exc_info())
         else:
             self.log(f"{name} {reported}")
+        for each in windows():
+            self._check_nets(each)
+
+    def _check_nets(self, window: MainWindow) -> None:
+        """Look whether each lens lies on the net of its task."""
+        session = window.document.session
+        lenses = [(run.scene, run.result.state.heights) for run in session.runs]
+        if session.heights is not None:
+            lenses.append((session.scene, session.heights))
+        for scene, heights in lenses:
+            nets = nets_of(scene)
+            if any(heights[face].shape != net.shape for face, net in nets.items()):
+                self.monitor.report(f"a lens on another net than its task: {nets}")
 
     def _rest(self) -> Generator[int, None, None]:
         """Close what is open but one window with the first example; then measure memory."""

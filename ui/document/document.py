@@ -84,6 +84,7 @@ class Document(QObject):
         self.path: Path | None = None  # of the file that saving writes
         self.fingerprint: str | None = None  # of that file when it was last read or written
         self._suggestion = Path(name)
+        self.in_run = False  # whether a run works on the task, which stays until its end
         self.verified = VerifiedErrors()
         self.undo_stack = UndoSteps(self._show, self)
         self.undo_stack.cleanChanged.connect(self._emit_dirty)

@@ -45,6 +45,7 @@ _OTHER_NET = later(
 _A_START = later(
     "The {optic} was designed for another task. Continue starts from it; Start over does not"
 )
+RUN_FIRST = later("Not possible during a run. Stop it first")
 
 
 class Notice(QObject):
@@ -58,7 +59,15 @@ class Notice(QObject):
 
     def _note(self, text: str, *offers: Offer) -> None:
         self._text = text
-        self._messages.note(text, *offers)
+        guarded = ((name, partial(self._accept, name, act)) for name, act in offers)
+        self._messages.note(text, *guarded)
+
+    def _accept(self, name: str, act: Callable[[], object]) -> None:
+        """Do what a button offers; a run goes on with the task that it began with."""
+        if self._document.in_run:
+            self._note(tr(RUN_FIRST), (name, act))
+        else:
+            act()
 
     def _withdraw_for(self, session: Session) -> None:
         if session is not self._about:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QKeySequence
 from ui.commands.table import LOCKS
 from ui.run.control import CurrentLens
 from ui.window.docks import EarlyParts
+from ui.window.edit_notices import RUN_FIRST
 from ui.words import capitalised, later, tr
 from workbench.design.snapshot import STOPPED, has_converged
 from workbench.scene import Element
@@ -31,7 +32,6 @@ _CHANGING = (
     "revert",
 )
 _ONE_FACE = later("There is only one freeform face; Freeform entrance face adds a second one")
-_RUN_FIRST = later("Not possible during a run. Stop it first")
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class Situation:
         )
         used = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
         return {
-            **dict.fromkeys(_CHANGING, "" if self.editable else tr(_RUN_FIRST)),
+            **dict.fromkeys(_CHANGING, "" if self.editable else tr(RUN_FIRST)),
             **dict.fromkeys(_USES_LENS, tr("Uses {lens}").format(lens=used) if used else no_lens),
             "continue": "" if self.following else no_lens,
             **({"undo": ""} if self.has_refused else {}),

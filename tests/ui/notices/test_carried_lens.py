@@ -77,6 +77,20 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     assert desk.document.session is after
 
 
+def test_a_run_keeps_the_net_that_it_began_with(desk, qtbot):
+    enter(qtbot, desk.forms, "elements[0].faces[1].control_points[0]", "20")
+    there = desk.document.session
+    desk.document.in_run = True
+    for _ in range(2):
+        qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
+        assert desk.document.session is there
+        assert desk.messages.text == "Not possible during a run. Stop it first"
+    desk.document.in_run = False
+    assert desk.messages.buttons[0].text() == "Use 21 × 10, exact"
+    qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
+    assert desk.document.session.scene.optic.control_points == (21, 10)
+
+
 def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
     for z in ("6", "7", "8"):
         enter(qtbot, desk.forms, "images[0].receiver.position[2]", z)
