@@ -30,6 +30,11 @@ from ui.widgets import theme
 
 _GAP, _INSIDE, _ROUND = 8, 8, 6  # pixels between tiles, around texts, of corners
 _KEYS = Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space
+_BY_KEY = (
+    Qt.FocusReason.TabFocusReason,
+    Qt.FocusReason.BacktabFocusReason,
+    Qt.FocusReason.ShortcutFocusReason,
+)
 _Index = QModelIndex | QPersistentModelIndex
 
 
@@ -92,7 +97,7 @@ class Tiles(QListWidget):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        if event.reason() != Qt.FocusReason.MouseFocusReason:
+        if event.reason() in _BY_KEY:  # else the page would scroll away under a pressed button
             self.setCurrentRow(max(self.currentRow(), 0))
             self.come_to.emit(self.visualItemRect(self.currentItem()))
 

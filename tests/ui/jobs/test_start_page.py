@@ -253,6 +253,17 @@ def test_the_current_tile_is_scrolled_to(start, qtbot):
     assert start.examples.visibleRegion().contains(here.center())
 
 
+def test_a_window_that_comes_to_the_front_scrolls_nothing_under_the_mouse(start):
+    start.window().resize(960, 640)
+    start.jobs.setCurrentRow(len(JOBS) - 1)
+    start.jobs.setFocus(Qt.FocusReason.ActiveWindowFocusReason)
+    here = start.jobs.visualItemRect(start.jobs.currentItem())
+    assert not start.jobs.visibleRegion().contains(here)
+    start.jobs.clearFocus()
+    start.jobs.setFocus(Qt.FocusReason.TabFocusReason)
+    assert start.jobs.visibleRegion().contains(here)
+
+
 def test_files_that_are_opened_there_are_used_at_once(window, start):
     window.files.open(FLAME)
     assert start.job.isVisible() and start.job.form.job.target.image == str(FLAME)
