@@ -38,7 +38,9 @@ class RunStatus:
         )
         self._of_run = (self._progress, self._iteration, self._left)
         self._pace = Pace()
-        bar.addWidget(self._state, 1)
+        # Qt hides other than permanent widgets under the tip of a command, and the rest jumps.
+        bar.addPermanentWidget(self._state, 1)
+        bar.messageChanged.connect(lambda tip: self._state.setText(tip or self._text))
         for part in (*self._of_run, shelf):
             bar.addPermanentWidget(part)
         self.settle()
