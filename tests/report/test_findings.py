@@ -127,6 +127,11 @@ def test_lost_light_names_its_cure_and_hinders_the_error(judge):
     )
 
 
+def test_a_low_error_is_good_however_much_light_is_lost(judge):
+    found = judge(0.002, account=LOST)
+    assert (found["error"].level, found["light"].level) == ("good", "attention")
+
+
 @pytest.mark.parametrize(("goal", "level"), [(0.92, "good"), (0.93, "bad")])
 def test_a_goal_for_the_light(judge, goal, level):
     assert judge(changes={"run.min_light": goal})["light"].level == level

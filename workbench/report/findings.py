@@ -19,6 +19,8 @@ from workbench.scene.losses import kind_and_element
 
 Level = Literal["good", "attention", "bad"]
 
+_LOW = 0.01  # error below which nothing else that a finding names has spoilt the image
+
 # A smaller part of the light that is totally reflected is no finding: it is 0 % when rounded.
 _NAMED = 5e-3
 
@@ -158,7 +160,7 @@ def _error(
     met = _ended_by(MET, result.ended)
     settled = has_converged(result.ended) or _ended_by(LOCKED, result.ended)
     above = max(error**2 - (lowest or 0.0) ** 2, 0.0) ** 0.5
-    fine = settled and not hindered and above < HIGH
+    fine = settled and above < (_LOW if hindered else HIGH)
     level: Level = "good" if fine else "attention"
     cure = None
     if verified is None and (settled or met):
