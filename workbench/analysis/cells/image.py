@@ -31,6 +31,7 @@ _BEGIN, _MOST = 1 << 22, 1 << 26
 _EACH, _PLANNED, _PARTLY = 16, 2, 2
 _ENOUGH, _FEWEST = 32, 8  # least cells along an axis, and for a source of many points
 _FASTEST, _SLOWEST = 4.0, 1.25  # largest and least ratio of the errors of two levels
+_AIM = 0.8  # part of the accuracy that a level in between is to reach
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,9 +63,11 @@ def imaging(
     """Compute the image of a lens by cells in steps, until the bound is below ``accuracy``.
 
     Each level has cells of half the width, and twice as many origins of an extended source; see
-    `LightSource.finer`. A disc of directions is drawn as `Spots`, whose outlines have twice as many
-    corners. If the error falls by a factor r, the difference of the two images over r − 1 is the
-    error of the finer one. The factor comes from three levels and is at most 4 (second order).
+    `LightSource.finer`. A disc of directions is drawn as `Spots`. If the error falls by a factor r,
+    the difference of the two images over r − 1 is the error of the finer one. The factor comes from
+    three levels and is at most 4 (second order). Spots, which need not end where polynomials do,
+    have a last level in between if that suffices by this order of convergence; its bound is also at
+    least the distance to the level before beyond the bound of that.
 
     A level has at most 16 rays for each of ``random_rays``, or 8 million, and at most 67 million.
     Returns None if three levels need more, if something scatters the light, or if no cell has
@@ -79,21 +82,26 @@ def imaging(
     if random_rays is not None:
         most = min(max(_EACH * random_rays, _PLANNED * _BEGIN), _MOST)
     images: list[Array] = []
-    bound, level = math.inf, 0
+    bound, factor, level, step = math.inf, _FASTEST, 0.0, 1.0
     while True:
         drawing = levels.drawing(level)
         image = yield from within(drawing.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
+        if step < 1:
+            bound = max(bound * factor**-step, _apart(*images[-2:]) - bound)
+            break
         if level >= 2:
-            bound = _bound(*images)
+            bound, factor = _bound(*images)
             more = levels.more(level)
             # Where origins double too, random rays are faster than several more levels.
             hopeless = more > 1 and bound > _FASTEST * accuracy
-            if bound <= accuracy or hopeless or 4 * more * drawing.rays > most:
+            if bound > accuracy and levels.gradual:
+                step = min(math.log(bound / (_AIM * accuracy), factor), 1.0)
+            if bound <= accuracy or hopeless or 4**step * more * drawing.rays > most:
                 break
         elif 4 * levels.more(level) * drawing.rays > _PARTLY * most:
             return None
-        level += 1
+        level += step
     if not image.any():  # random rays may still find light
         return None
     irradiance = image / scene.receiver.pixel_measure
@@ -103,7 +111,8 @@ def imaging(
 class Levels:
     """Images of a lens by finer cells, summed over the lines of the spectrum.
 
-    ``possible`` is false if the source has too many points for three levels.
+    ``possible`` is false if the source has too many points for three levels; ``gradual`` is true if
+    there are levels in between.
     """
 
     def __init__(
@@ -120,31 +129,31 @@ class Levels:
         ]
         train = lines[0][1]
         self._scene, self._lines, self._source = scene, lines, train.source
-        self._wide = Spots.suit(scene, train)
-        each = Spots.work if self._wide else train.source.finer(2).origins
+        self.gradual = Spots.suit(scene, train)
+        each = Spots.work if self.gradual else train.source.finer(2).origins
         self._first = _first(scene, len(lines) * each)
         self.possible = min(self._first) >= _FEWEST
         self.sized = _more(train.source, 0) > 1
 
-    def cells(self, level: int) -> tuple[int, int]:
+    def cells(self, level: float) -> tuple[int, int]:
         """Return the cells along x and y of a level from 0."""
         n_x, n_y = self._first
-        return n_x << level, n_y << level
+        return round(n_x * 2**level), round(n_y * 2**level)
 
-    def drawing(self, level: int) -> "LinesDrawing":
+    def drawing(self, level: float) -> "LinesDrawing":
         """Return the drawing of a level."""
         return LinesDrawing([(part, self._of_line(train, level)) for part, train in self._lines])
 
-    def _of_line(self, train: OpticalTrain, level: int) -> Drawing:
+    def _of_line(self, train: OpticalTrain, level: float) -> Drawing:
         """Return the spots or cells of a line."""
-        if self._wide:
-            return Spots(self._scene, train, self.cells(level), level)
-        light = train.source.finer(level)
+        if self.gradual:
+            return Spots(self._scene, train, self.cells(level))
+        light = train.source.finer(int(level))
         return CellLattice(self._scene, train.lit_by(light), self.cells(level))
 
-    def more(self, level: int) -> float:
+    def more(self, level: float) -> float:
         """Return the ratio of the origins of the next level."""
-        return 1.0 if self._wide else _more(self._source, level)
+        return 1.0 if self.gradual else _more(self._source, int(level))
 
 
 class LinesDrawing:
@@ -166,7 +175,7 @@ class LinesDrawing:
         return np.asarray(image)
 
 
-def _done(level: int, fraction: float) -> float:
+def _done(level: float, fraction: float) -> float:
     """Fraction of the whole that is done after a fraction of a level."""
     return 1 - math.pow(0.25, level + fraction)
 
@@ -188,10 +197,14 @@ def _first(scene: Scene, each: float) -> tuple[int, int]:
     return n_x, n_y
 
 
-def _bound(coarse: Array, middle: Array, fine: Array) -> float:
-    """Bound of the relative error of the finest of three levels."""
+def _bound(coarse: Array, middle: Array, fine: Array) -> tuple[float, float]:
+    """Bound of the relative error of the finest of three levels, and by what it falls each time."""
     before, last = (float(np.linalg.norm(i)) for i in (middle - coarse, fine - middle))
     if last == 0:
-        return 0.0
+        return 0.0, _FASTEST
     factor = min(max(before / last, _SLOWEST), _FASTEST)
-    return last / float(np.linalg.norm(fine)) / (factor - 1)
+    return _apart(middle, fine) / (factor - 1), factor
+
+
+def _apart(coarse: Array, fine: Array) -> float:
+    return float(np.linalg.norm(fine - coarse) / np.linalg.norm(fine))
