@@ -9,7 +9,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, wait
 from contextlib import contextmanager
 from contextvars import ContextVar
 from enum import Enum
@@ -39,9 +39,8 @@ class _Use(Enum):
 _Kernel = tuple[str, torch.dtype]
 
 _use = ContextVar("_use", default=_Use.ALL)
-# One thread compiles, one kernel after the other. A kernel is for all later work: it is compiled
-# even if the work that asked for it is given up meanwhile.
-_compiler = ThreadPoolExecutor(1, "compiler")
+# In threads of their own, one after the other. A kernel is for all later work: it is compiled even
+# if the work that asked for it is given up meanwhile.
 _compilations: dict[_Kernel, Future[None]] = {}
 _asking = threading.Lock()
 _LOOK = 0.1  # seconds between two looks whether waiting work is given up
@@ -116,11 +115,23 @@ def _is_done(kernel: _Kernel) -> bool:
 def _wait_for(kernel: _Kernel) -> None:
     with _asking:
         if kernel not in _compilations:
-            name, dtype = kernel
-            _compilations[kernel] = _compiler.submit(_COMPILERS[name], dtype)
+            done, earlier = Future[None](), [*_compilations.values()]
+            _compilations[kernel] = done
+            threading.Thread(target=_compile, args=(kernel, done, earlier), name="compiler").start()
     while not _compilations[kernel].done():
         wait([_compilations[kernel]], _LOOK)
         check_given_up()
+
+
+def _compile(kernel: _Kernel, done: Future[None], earlier: list[Future[None]]) -> None:
+    name, dtype = kernel
+    wait(earlier)
+    try:
+        _COMPILERS[name](dtype)
+    except Exception as error:  # of any kind: compilers have many; `failure` keeps it
+        done.set_exception(error)
+    else:
+        done.set_result(None)
 
 
 @contextmanager
