@@ -4541,6 +4541,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
+            <source>Not possible during a run. Stop it first</source>
+            <translation>Während eines Laufs nicht möglich. Zuerst anhalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
             <source> ({count} more refused)</source>
             <translation> ({count} weitere abgelehnt)</translation>
         </message>
@@ -4683,11 +4688,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/window_state.py" />
             <source>There is only one freeform face; Freeform entrance face adds a second one</source>
             <translation>Es gibt eine Freiformfläche: „Freiform-Eintrittsfläche“ gibt einer Linse eine zweite</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/window_state.py" />
-            <source>Not possible during a run. Stop it first</source>
-            <translation>Während eines Laufs nicht möglich. Zuerst anhalten</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />

@@ -991,7 +991,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Irradiance</source>
-            <translation>Éclairement énergétique</translation>
+            <translation>Éclairement</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4541,6 +4541,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/edit_notices.py" />
+            <source>Not possible during a run. Stop it first</source>
+            <translation>Impossible pendant une exécution. Arrêtez-la d'abord</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/edit_notices.py" />
             <source> ({count} more refused)</source>
             <translation> ({count} autres refusés)</translation>
         </message>
@@ -4683,11 +4688,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/window_state.py" />
             <source>There is only one freeform face; Freeform entrance face adds a second one</source>
             <translation>Il y a une face de forme libre : « Face d'entrée de forme libre » en donne une seconde à une lentille</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/window_state.py" />
-            <source>Not possible during a run. Stop it first</source>
-            <translation>Impossible pendant une exécution. Arrêtez-la d'abord</translation>
         </message>
         <message>
             <location filename="../../ui/window/window_state.py" />
