@@ -42,7 +42,9 @@ _AZIMUTH, _LENS_AZIMUTH, _ELEVATION = 58.0, 40.0, 22.0
 _TURNS, _GAIN = 6, 0.2  # directions that are tried for a narrow window; what the last must gain
 _CLEAR = 2.0  # degrees between the outlines of lens and screen
 _SIDE = np.linspace(-1, 1, 9)  # places across a face, for its extent
-_FLATTEST = 80.0  # degrees from the axis; beyond, a lens near its screen shows no face
+# Degrees from the axis. Beyond, little is seen of a screen behind the lens: the view is from the
+# source. Where none is clear, as beside a screen, it is from the side.
+_FLAT, _SIDEWAYS = 65.0, 80.0
 
 
 class FittedCamera:
@@ -152,8 +154,9 @@ class FittedCamera:
 
     def _oblique(self, view: str) -> Array:
         onwards = self.optic.onwards
+        from_source = _direction(math.radians(_LENS_AZIMUTH), math.radians(_ELEVATION), -1)
         if view == "entrance":
-            return _direction(math.radians(_LENS_AZIMUTH), math.radians(_ELEVATION), -1)
+            return from_source
         clear = self._clear_azimuth()
         if view == "lens":
             azimuth = max(math.radians(_LENS_AZIMUTH), clear)
@@ -161,7 +164,9 @@ class FittedCamera:
         low, high = scene_corners(self._scene).min(axis=0), scene_corners(self._scene).max(axis=0)
         length, width = high[2] - low[2], max(high[:2] - low[:2])
         azimuth = math.asin(min(math.sin(math.radians(_AZIMUTH)), 2.4 * width / length))
-        clear = min(clear, math.radians(_FLATTEST))
+        if math.radians(_FLAT) < clear < math.pi / 2:
+            return from_source
+        clear = min(clear, math.radians(_SIDEWAYS))
         corners, best, least = self._corners(view), np.zeros(3), math.inf
         for turned in np.linspace(0, 1, _TURNS):
             along = max(azimuth, clear) * (1 - turned) + clear * turned
