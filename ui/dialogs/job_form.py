@@ -2,13 +2,12 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout
 
 from ui.panels.edits import Edit, put
 from ui.panels.entries import RowForm
 from ui.panels.images import of_image
-from ui.panels.rows import Make, Rows, connect_asked, file_rows
+from ui.panels.rows import Make, Rows
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import tr
@@ -24,26 +23,16 @@ _LATER = {*Finish.model_fields, *LEVELS, "tone", "turn", "crop"} - {"viewed_from
 class JobForm(RowForm):
     """Form of a job."""
 
-    image_asked = Signal()
-    light_asked = Signal()
-
     def __init__(self, job: Job) -> None:
         self.job = job
         own: dict[str, Make] = dict.fromkeys(_LATER, lambda field, path: [])
-        makers = Rows(
-            lambda: self.job.scene(),
-            own | {"image": file_rows, "file": file_rows},
-            place="images[0].",
-        )
+        makers = Rows(lambda: self.job.scene(), own, place="images[0].")
         fields = [field for field in job.fields() if field.tip]
         super().__init__(
             (row for field in fields for row in makers.of_field(field, field.name)),
             lambda: self.job,
             self._answer,
         )
-        for row in self.rows:
-            asked = self.light_asked if row.path == "file" else self.image_asked
-            connect_asked([row], asked.emit)
         heading = text_label(tr(title_of(type(job))), "title")
         about = WrappedLabel(tr(summary_of(type(job))))
         filled(QVBoxLayout(self), heading, about, self.in_form(self.rows), STRETCH)

@@ -73,8 +73,7 @@ class JobPage(QWidget):
             job = job.with_answers(json.loads(str(self._settings.value(_key(kind)))))
         self.form = JobForm(job)
         self.form.changed.connect(self._update)
-        self.form.image_asked.connect(self._choose_image)
-        self.form.light_asked.connect(self._choose_light)
+        self.form.asked.connect(self._choose_file)
         self._form.setWidget(self.form)
         QWidget.setTabOrder(self.form, self._back)
         self.form.rows[0].label.buddy().setFocus() if self.form.rows else self._begin.setFocus()
@@ -154,17 +153,17 @@ class JobPage(QWidget):
             why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
             self._refusal.show_text(f"\N{WARNING SIGN} {why}")
 
-    def _choose_image(self) -> None:
-        path = self._dialogs.to_open("image", tr("Picture"), image_files())
+    def _choose_file(self, asking: str) -> None:
+        kind, title, files, choose = (
+            ("light", tr("File of light"), light_files(), self.form.choose_light)
+            if asking == "file"
+            else ("image", tr("Picture"), image_files(), self.form.choose_image)
+        )
+        path = self._dialogs.to_open(kind, title, files)
         if path is not None:
-            self.form.choose_image(path)
+            choose(path)
         else:
             self.form.show_rows()
-
-    def _choose_light(self) -> None:
-        path = self._dialogs.to_open("light", tr("File of light"), light_files())
-        if path is not None:
-            self.form.choose_light(path)
 
 
 def _key(kind: type[Job]) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import ListedPanel, another_name
 from ui.panels.rows import Rows, value_row
+from ui.panels.text_rows import TextRow
 from ui.words import capitalised, in_sentence, later, tr
 from workbench.design.limits import bounded
 from workbench.geometry.surface import ControlNet
@@ -206,7 +207,8 @@ class _ElementRows(Rows):
             "Bounds of the control heights relative to the base, down and up. Wider bounds allow "
             "larger deflection."
         )
-        limits = NumberRow(replace(field, title=tr("From the base"), tip=tip), path)
+        own = replace(field, title=tr("From the base"), tip=tip, optional=False)
+        limits = NumberRow(own, path)
         return [choice, limits]
 
     def _change_range(self, choice: str, path: str) -> Changes | None:
@@ -234,7 +236,7 @@ class _ElementRows(Rows):
 
 
 def _heights_rows(field: FieldDescription, path: str) -> list[Row]:
-    row = value_row(field, path)
+    row = TextRow(field, path)
     fixed = f"{path.rpartition('.')[0]}.fixed"
     row.only_if(lambda scene: bool(value_at(scene, fixed)))
     return [row]

@@ -95,6 +95,7 @@ class RowForm(QWidget):
     """Rows that edit one whole, such as a job or plain data."""
 
     changed = Signal()
+    asked = Signal(str)  # for a file, by the path of the row
 
     def __init__(self, rows: Iterable[Row], whole: Callable[[], Any], attempt: Attempt) -> None:
         super().__init__()
@@ -103,6 +104,7 @@ class RowForm(QWidget):
         for row in self.rows:
             row.edited.connect(self.edit)
             row.reverted.connect(self._revert)
+            row.asked.connect(self.asked)
 
     def in_form(self, rows: Sequence[Row]) -> QFormLayout:
         """Return a layout with some of the rows below each other."""

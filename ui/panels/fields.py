@@ -40,6 +40,7 @@ class Row(QWidget):
 
     edited = Signal(object)
     reverted = Signal(object)
+    asked = Signal(str)  # for a file of the part that it belongs to, by its path
 
     def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__()
@@ -137,6 +138,8 @@ class Row(QWidget):
         return self._refusal.text()
 
     def _is_there(self, scene: Any) -> bool:
+        if self.field.optional:
+            return holder_of(scene, self.path)[0] is not None
         return value_at(scene, self.path) is not None
 
     def _add(self, widget: QWidget, stretch: int = 1) -> None:
@@ -153,7 +156,9 @@ class Row(QWidget):
 
 
 class NumberRow(Row):
-    """One or several numbers."""
+    """One or several numbers; where they may be left out, a placeholder shows what counts then."""
+
+    _NOTHING: object = None  # the value of an empty field
 
     def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__(field, path)
@@ -183,6 +188,14 @@ class NumberRow(Row):
             if not pending & {path, self.path}:
                 text = "" if value is None else format(self.field.times * value, ".12g")
                 editor.show_value(text)
+        if self._may_be_empty:
+            for editor, stand_in in zip(self.editors.values(), self._stand_ins(scene), strict=True):
+                text = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
+                editor.setPlaceholderText(text)
+
+    @property
+    def _may_be_empty(self) -> bool:
+        return self.field.optional or self.field.auto
 
     def _value(self, scene: Any, path: str) -> float | None:
         value: float | None = value_at(scene, path)
@@ -192,8 +205,24 @@ class NumberRow(Row):
         if values:
             self._emit_edit(self.path, {**values}, drag)
 
+    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
+        if left_out := self.field.mark(LeftOut):
+            return [tr(left_out.title)] * len(self.editors)
+        fallback = self.field.mark(Fallback)
+        if fallback is None:
+            return [tr("none")] * len(self.editors)
+        found = attrgetter(fallback.path)(scene)
+        return found if self.field.count > 1 else [found]
+
     def _commit(self, path: str, text: str) -> None:
-        self._emit_edit(path, {path: self.editors[path].typed(text)})
+        texts = [editor.text().strip() for editor in self.editors.values()]
+        if self._may_be_empty and not text.strip():
+            self._emit_edit(self.path, {self.path: self._NOTHING})
+        elif self.field.count == 1 or not self._may_be_empty or (self._values and all(texts)):
+            self._emit_edit(path, {path: self.editors[path].typed(text)})
+        else:  # a number alone counts for both
+            values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
+            self._emit_edit(self.path, {self.path: values})
 
 
 class ChoiceRow(Row):
@@ -224,11 +253,6 @@ class ChoiceRow(Row):
         if self.path not in pending:
             self.chooser.setCurrentIndex(self.chooser.findData(self._read(scene)))
 
-    def _is_there(self, scene: Any) -> bool:
-        if self._optional:
-            return holder_of(scene, self.path)[0] is not None
-        return bool(self._read(scene))
-
     def _choose(self, index: int) -> None:
         changes = self._changes(self.chooser.itemData(index))
         if changes is None:
@@ -252,45 +276,7 @@ class CheckRow(Row):
             self.box.setChecked(value_at(scene, self.path))
 
 
-class OptionalRow(NumberRow):
-    """Numbers that may be left empty; a placeholder shows what counts then."""
-
-    _NOTHING: object = None  # the value of an empty field
-
-    def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        super().show_scene(scene, pending)
-        for editor, stand_in in zip(self.editors.values(), self._stand_ins(scene), strict=True):
-            text = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
-            editor.setPlaceholderText(text)
-
-    def _stand_ins(self, scene: Any) -> Sequence[float | str]:
-        if left_out := self.field.mark(LeftOut):
-            return [tr(left_out.title)] * len(self.editors)
-        fallback = self.field.mark(Fallback)
-        if fallback is None:
-            return [tr("none")] * len(self.editors)
-        found = attrgetter(fallback.path)(scene)
-        return found if self.field.count > 1 else [found]
-
-    def _is_there(self, scene: Any) -> bool:
-        return holder_of(scene, self.path)[0] is not None
-
-    def _commit(self, path: str, text: str) -> None:
-        texts = [editor.text().strip() for editor in self.editors.values()]
-        if not text.strip():
-            self._emit_edit(self.path, {self.path: self._NOTHING})
-        elif path == self.path or self._alone(texts):
-            self._emit_edit(path, {path: self.editors[path].typed(text)})
-        else:  # a number alone counts for both
-            values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
-            self._emit_edit(self.path, {self.path: values})
-
-    def _alone(self, texts: Sequence[str]) -> bool:
-        """Whether one of the numbers can be changed by itself."""
-        return False
-
-
-class AutoRow(OptionalRow):
+class AutoRow(NumberRow):
     """Numbers, or a tick for automatic; typing clears the tick, an empty field sets it."""
 
     _NOTHING = AUTO
@@ -320,12 +306,6 @@ class AutoRow(OptionalRow):
 
     def _stand_ins(self, scene: Any) -> Sequence[float | str]:
         return self._shape or (tr("auto"),) * len(self.editors)
-
-    def _is_there(self, scene: Any) -> bool:
-        return NumberRow._is_there(self, scene)
-
-    def _alone(self, texts: Sequence[str]) -> bool:
-        return all(texts) and not self._auto
 
     def _choose(self, auto: bool) -> None:
         self._emit_edit(

@@ -1,6 +1,5 @@
 """All forms: they turn edits into scenes, and show each refusal where it was caused."""
 
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -11,19 +10,20 @@ from ui.panels.area import FormArea
 from ui.panels.edits import Edit, edited_scene, has_place
 from ui.panels.elements import ElementsPanel
 from ui.panels.entries import Entries, Waiting, row_of
-from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel
+from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel, of_image
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.scene import (
     ProcessesPanel,
     RunPanel,
     ScenePanel,
-    SourcePanel,
     StagesPanel,
+    of_light_file,
 )
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import Image, ImageTarget, Scene
+from workbench.scene.paths import value_at
 
 
 class Forms(FormArea):
@@ -46,14 +46,11 @@ class Forms(FormArea):
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
         self._next: Session | None = None  # with these
-        self._chooser: TargetPanel | ImagesPanel = self._target
+        self._asking = self._target.path  # the target for which a file is asked
         for panel in self.panels:
             panel.edited.connect(self.edit)
             panel.reverted.connect(self._revert)
-        for asking in (self._target, self._images):
-            asking.image_asked.connect(partial(self._ask_image, asking))
-        self._source.file_asked.connect(self.light_asked)
-        self._target.image_again.connect(self._read_image_again)
+            panel.asked.connect(self._ask_file)
         self._target.refused.connect(self.file_refused)
         document.session_changed.connect(self._show_change)
         # A field takes Esc for its own text; this is for what was refused in any of them.
@@ -67,21 +64,19 @@ class Forms(FormArea):
         parts = {field.name: field for field in Scene.fields() if field.parts}
         of_image = {field.name: field for field in Image.fields()}
         self._target = TargetPanel(of_image["target"])
-        self._source = SourcePanel(parts["source"])
-        self._images = ImagesPanel(parts["images"])
-        regions = RegionsPanel(parts["regions"])
+        images, regions = ImagesPanel(parts["images"]), RegionsPanel(parts["regions"])
         processes = ProcessesPanel(parts["processes"])
-        for panel in (self._images, regions, processes):
+        for panel in (images, regions, processes):
             panel.unfold(False)
         return [
             ScenePanel(),
             self._target,
             PartPanel(of_image["receiver"], "images[0].receiver"),
-            self._source,
+            PartPanel(parts["source"]),
             ElementsPanel(parts["elements"]),
             RunPanel(parts["run"]),
             PartPanel(parts["filter"]),
-            self._images,
+            images,
             regions,
             processes,
             PartPanel(parts["uncertainty"]),
@@ -129,13 +124,27 @@ class Forms(FormArea):
             any_back = True
         return any_back
 
-    def choose_image(self, path: Path) -> None:
-        self._chooser.choose_image(path)
-        self.ensureWidgetVisible(self._chooser)
+    def choose_image(self, file: Path) -> None:
+        """Use an image file as the target; the current one is reloaded."""
+        where, scene = self._asking, self._session.scene
+        if where == self._target.path and scene.image == str(file.absolute()):
+            self._read_image_again()
+        else:
+            changes: dict[str, object] = {where: of_image(file, value_at(scene, where))}
+            text = tr("change of target image")
+            self._use_file(Edit(f"{where}.image", text, changes, waits=False))
 
-    def choose_light(self, path: Path) -> None:
-        self._source.choose_file(path)
-        self.ensureWidgetVisible(self._source)
+    def choose_light(self, file: Path) -> None:
+        """Use a light file as the source."""
+        changes: dict[str, object] = {"source": of_light_file(file, self._session.scene)}
+        text = tr("change of file of light")
+        self._use_file(Edit("source.file", text, changes, waits=False))
+
+    def _use_file(self, edit: Edit) -> None:
+        self.edit(edit)
+        row = row_of(edit.path, self._rows())
+        if row is not None:
+            self.reveal(row)
 
     def switch_entrance(self) -> None:
         """Make the entrance face freeform, or flat again."""
@@ -173,10 +182,11 @@ class Forms(FormArea):
         text = tr("aspect of the picture for the {receiver}", receiver=receiver.called)
         self.edit(Edit(f"{path}.{receiver.extent}", text, changes, alone=True))
 
-    def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
-        self._chooser = panel
-        self.image_asked.emit()  # comes back when it is chosen, or is not
-        self._chooser = self._target
+    def _ask_file(self, path: str) -> None:
+        self._asking = path.rpartition(".")[0]
+        # Come back when it is chosen, or is not.
+        (self.light_asked if self._asking == "source" else self.image_asked).emit()
+        self._asking = self._target.path
 
     def set_running(self, running: bool, paused: bool = False) -> None:
         """Postpone edits while a run is active."""

@@ -11,7 +11,7 @@ from ui.panels.crop import grey_image
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
-from ui.panels.rows import Make, Rows, connect_asked, file_rows
+from ui.panels.rows import Rows
 from ui.panels.text_rows import PairsRow
 from ui.widgets.controls import STRETCH, filled
 from ui.widgets.native import ScaledImage
@@ -55,14 +55,11 @@ def is_image_file(path: Path) -> bool:
 class TargetPanel(PartPanel):
     """Bound to the target of the first image."""
 
-    image_asked = Signal()
-    image_again = Signal()
     refused = Signal(str)
 
     def __init__(self, field: FieldDescription) -> None:
         dropped = tr("An image file can also be dropped onto the window.")
         super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
-        connect_asked(self.rows, self.image_asked.emit)
         self._thumbnail = Thumbnail()
         self._tools = QWidget()
         row = filled(QHBoxLayout(self._tools), STRETCH, margins=0)
@@ -81,9 +78,6 @@ class TargetPanel(PartPanel):
         row.addStretch(1)
         self._form.insertRow(0, self._tools)
         self._form.insertRow(0, self._thumbnail)
-
-    def own_rows(self) -> dict[str, Make]:
-        return {"image": file_rows}
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         super().show_session(session, present, pending)
@@ -120,15 +114,6 @@ class TargetPanel(PartPanel):
         changes = {f"{self.path}.{field}": value for field, value in fields.items()}
         self.edited.emit(Edit(next(iter(changes)), text, changes, waits=False))
 
-    def choose_image(self, path: Path) -> None:
-        """Use an image file as the target; the current one is reloaded."""
-        if self.session.scene.image == str(path.absolute()):
-            self.image_again.emit()
-            return
-        target = of_image(path, self.session.scene.target)
-        text, changes = tr("change of target image"), {self.path: target}
-        self.edited.emit(Edit(f"{self.path}.image", text, {**changes}, waits=False))
-
 
 def of_image(path: Path, before: Finish) -> dict[str, object]:
     """Return plain data of an image target with the finish of another target."""
@@ -157,8 +142,6 @@ _FARTHER = 1.2  # times as far from the lens as the receiver before
 class ImagesPanel(ListedPanel[Image]):
     """Bound to ``scene.images``; receiver and target of the first one have panels of their own."""
 
-    image_asked = Signal()
-
     _CALLED, _NAMED = later("image"), later("Image {number}")
 
     def __init__(self, field: FieldDescription) -> None:
@@ -185,31 +168,15 @@ class ImagesPanel(ListedPanel[Image]):
             place=place, target=in_sentence(tr(title_of(type(part.target)))), weight=part.weight
         )
 
-    def choose_image(self, path: Path) -> None:
-        where = f"images[{self._bound}].target"
-        target = of_image(path, self.session.scene.images[self._bound].target)
-        text = tr("change of target image")
-        self.edited.emit(Edit(f"{where}.image", text, {where: target}, waits=False))
-
     def rows_of(self, number: int) -> list[Row]:
         """Receiver, target and weight of an image; the weight alone of the first one."""
         path = f"images[{number}]"
-        rows = Rows(
-            lambda: self.session.scene.single[number],
-            {"image": file_rows},
-            stage=path,
-            place="images[0]",
-        )
+        rows = Rows(lambda: self.session.scene.single[number], stage=path, place="images[0]")
         fields = Image.fields() if number else Image.fields()[-1:]
         made = [row for field in fields for row in rows.of_field(field, f"{path}.{field.name}")]
         if number == 0:
-            made[0].only_if(_several)
-        connect_asked(made, self.image_asked.emit)
+            made[0].only_if(lambda scene: len(scene.images) > 1)
         return made
-
-
-def _several(scene: Scene) -> bool:
-    return len(scene.images) > 1
 
 
 class RegionsPanel(ListedPanel[AnyRegion]):

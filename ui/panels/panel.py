@@ -39,6 +39,7 @@ class Panel(Fold):
 
     edited = Signal(object)
     reverted = Signal(object)
+    asked = Signal(str)
 
     def __init__(self, title: str, rows: Sequence[Row], level: Level = Level.JOB) -> None:
         super().__init__(title)
@@ -99,6 +100,7 @@ class Panel(Fold):
             row.leave_undo()
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
+            row.asked.connect(self.asked)
             self._rows.append(row)
 
     def _name_rows(self, rows: Sequence[Row], name: str) -> None:
@@ -276,9 +278,6 @@ class PartList(Row):
     def concerns(self, path: str) -> bool:
         """Whether a refusal concerns the whole list."""
         return path == self.path
-
-    def _is_there(self, scene: Any) -> bool:
-        return True
 
     def show_parts(self, parts: tuple[Part, ...], remark: str) -> None:
         if parts != self._parts:

@@ -1,10 +1,8 @@
 """Rows of a part of the scene, from the descriptions of its fields."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import Any
-
-from PySide6.QtCore import Signal
 
 from ui.panels.edits import holder_of
 from ui.panels.fields import (
@@ -14,7 +12,6 @@ from ui.panels.fields import (
     ChoiceRow,
     Condition,
     NumberRow,
-    OptionalRow,
     Row,
     described,
 )
@@ -23,7 +20,7 @@ from ui.words import in_sentence, tr
 from workbench.design.task import LARGEST_PICTURE
 from workbench.levels import Level
 from workbench.scene import FieldDescription, Kinds, Part, Scene
-from workbench.scene.fields import ForMethod, LeftOut
+from workbench.scene.fields import ForMethod, LeftOut, NamesFile
 from workbench.scene.part import summary_of, title_of
 from workbench.scene.paths import value_at
 
@@ -123,33 +120,28 @@ class Rows:
 
 
 def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
-    """The row of a field at a path that holds numbers, a choice, a yes or no, or text."""
+    """The row of a field that holds numbers, a choice, a yes or no, a file's name, or text."""
     if field.choices:
         if left_out := field.mark(LeftOut):
             otherwise = tr(left_out.title)
-        return ChoiceRow(field, path, otherwise=otherwise if field.optional else "")
+        optional = field.optional and bool(otherwise)  # else there is no text for no value
+        field = replace(field, optional=optional)
+        return ChoiceRow(field, path, otherwise=otherwise if optional else "")
     if field.type is bool:
         return CheckRow(field, path)
+    if field.mark(NamesFile):
+        kept = tr("The design keeps files of up to {largest} MB.")
+        tip = f"{tr(field.tip)} {kept.format(largest=LARGEST_PICTURE >> 20)}"
+        return TextRow(replace(field, tip=tip), path, tr("Choose a file"))
     if field.number is None:
         return PairsRow(field, path) if field.several else TextRow(field, path)
     if field.several:
         return NumbersRow(field, path)
-    if field.auto:
-        return AutoRow(field, path)
-    return OptionalRow(field, path) if field.optional else NumberRow(field, path)
-
-
-def file_rows(field: FieldDescription, path: str) -> list[Row]:
-    """Return a row with a button to choose a file."""
-    kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
-    tip = f"{tr(field.tip)} {kept}"
-    return [TextRow(replace(field, tip=tip), path, tr("Choose a file"))]
+    return AutoRow(field, path) if field.auto else NumberRow(field, path)
 
 
 class KindRow(ChoiceRow):
     """The kind of a part of the scene."""
-
-    asked = Signal(object)  # type
 
     def __init__(
         self,
@@ -201,7 +193,7 @@ class KindRow(ChoiceRow):
             return None
         first = self._begin(self._named[name])
         if first is None:
-            self.asked.emit(self._named[name])
+            self.asked.emit(self.path)
             return None
         if name == self._shown:
             return None
@@ -213,13 +205,6 @@ def at_least(level: Level, rows: list[Row]) -> list[Row]:
     for row in rows:
         row.level = max(row.level, level)
     return rows
-
-
-def connect_asked(rows: Iterable[Row], ask: Callable[[], object]) -> None:
-    """Call a function when a row asks for a file, by its button or as a kind that needs one."""
-    for row in rows:
-        if isinstance(row, KindRow | TextRow):
-            row.asked.connect(lambda *_: ask())
 
 
 def _sentence(kind: type[Part]) -> str:

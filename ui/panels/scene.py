@@ -4,13 +4,12 @@ from collections.abc import Set
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QInputDialog, QLabel
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, ChoiceRow, Row, described
 from ui.panels.panel import ListedPanel, Panel, PartPanel
-from ui.panels.rows import Make, Rows, connect_asked, file_rows, value_row
+from ui.panels.rows import Make, Rows, value_row
 from ui.words import in_sentence, later, tr
 from workbench.design.net import memory_bytes, parameter_count
 from workbench.levels import Level
@@ -71,30 +70,13 @@ def is_light_file(path: Path) -> bool:
     return path.suffix.lower() in _ENDINGS
 
 
-class SourcePanel(PartPanel):
-    """Bound to ``scene.source``."""
-
-    file_asked = Signal()
-
-    def __init__(self, field: FieldDescription) -> None:
-        super().__init__(field)
-        connect_asked(self.rows, self.file_asked.emit)
-
-    def own_rows(self) -> dict[str, Make]:
-        return {"file": file_rows}
-
-    def choose_file(self, path: Path) -> None:
-        """Use a light file as source; its ending gives the kind."""
-        kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
-        file = {"file": str(path.absolute())}
-        scene = self.session.scene
-        source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.defaults_for(scene)}
-        if scene.source.kind == source["kind"]:
-            source = scene.source.model_dump(mode="json")
-        edit = Edit(
-            "source.file", tr("change of file of light"), {"source": source | file}, waits=False
-        )
-        self.edited.emit(edit)
+def of_light_file(path: Path, scene: Scene) -> dict[str, object]:
+    """Return plain data of a source of a light file, whose ending gives the kind."""
+    kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
+    source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.defaults_for(scene)}
+    if scene.source.kind == source["kind"]:
+        source = scene.source.model_dump(mode="json")
+    return source | {"file": str(path.absolute())}
 
 
 class RunPanel(PartPanel):

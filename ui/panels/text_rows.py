@@ -3,20 +3,17 @@
 from collections.abc import Set
 from typing import Any
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QToolButton
 
 from ui.panels.editors import TextEditor
-from ui.panels.edits import Typed, holder_of
+from ui.panels.edits import Typed
 from ui.panels.fields import Row
 from workbench.scene import FieldDescription
 from workbench.scene.paths import value_at
 
 
 class TextRow(Row):
-    """One line of text, with an optional button to choose it."""
-
-    asked = Signal()
+    """One line of text, with an optional button that asks for a file."""
 
     def __init__(self, field: FieldDescription, path: str, button_tip: str = "") -> None:
         super().__init__(field, path)
@@ -27,7 +24,7 @@ class TextRow(Row):
             button.setText("…")
             button.setToolTip(button_tip)
             button.setAccessibleName(button_tip)
-            button.clicked.connect(self.asked)
+            button.clicked.connect(lambda: self.asked.emit(path))
             self._add(button, 0)
         self.editor.committed.connect(
             lambda text: self._emit_edit(path, {path: self.value_of(text)})
@@ -46,11 +43,6 @@ class TextRow(Row):
 
     def value_of(self, text: str) -> object:
         return None if self.field.optional and not text.strip() else text
-
-    def _is_there(self, scene: Any) -> bool:
-        if self.field.optional:
-            return holder_of(scene, self.path)[0] is not None
-        return super()._is_there(scene)
 
 
 class NumbersRow(TextRow):

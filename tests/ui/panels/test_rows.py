@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, OptionalRow
+from ui.panels.fields import CheckRow, ChoiceRow, NumberRow
 from ui.panels.panel import Panel
 from ui.panels.rows import value_row
 from ui.panels.text_rows import TextRow
@@ -33,7 +33,7 @@ def test_each_field_has_the_row_of_its_type(qtbot):
     assert {name: type(row) for name, row in rows.items()} == {
         "ledge": NumberRow,
         "screws": NumberRow,
-        "torque": OptionalRow,
+        "torque": NumberRow,
         "glued": CheckRow,
         "metal": ChoiceRow,
         "maker": TextRow,
