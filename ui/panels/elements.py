@@ -123,7 +123,7 @@ class ElementsPanel(ListedPanel[AnyElement]):
         return _shifted(second, to_front), _shifted(first, to_end)
 
     def chosen_among(self, before: tuple[AnyElement, ...], parts: tuple[AnyElement, ...]) -> int:
-        names, current = [part.name for part in parts], self.list.current
+        names, current = [part.name for part in parts], self.current
         if before and before[current].name in names:
             return names.index(before[current].name)
         if len(before) == len(parts):

@@ -93,7 +93,7 @@ class Panel(Fold):
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
         self._name_rows(rows, name)
         for row in at_least(self._level, list(rows)):
-            if isinstance(row, PartList):
+            if isinstance(row, ListRow):
                 self._form_of(row).addRow(row)
             else:
                 self._form_of(row).addRow(row.label, row)
@@ -156,23 +156,49 @@ class ListedPanel(Panel, Generic[AnyPart]):
     def __init__(
         self, field: FieldDescription, adding: Mapping[str, str], path: str = "", listed: str = ""
     ) -> None:
-        self._field, self._bound = field, -1  # the part whose rows are there
+        self._field, self.path = field, path or field.name
+        self._parts: tuple[AnyPart, ...] = ()
+        self._bound = -1  # the part whose rows are there
         self._called = ""  # in their names
-        named = replace(field, title=listed or field.title)
-        self.list = PartList(self, named, path or field.name, tr(self._CALLED), adding)
-        super().__init__(tr(field.title), [self.list], field.level)
-        self.list.chosen.connect(self._choose)
+        self._list, self._rest = QListWidget(), Wrapped()
+        self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        adders = [
+            _button(text, tip, partial(self._append, which))
+            for which, (text, tip) in enumerate(adding.items())
+        ]
+        self._of_chosen = [
+            _button(tr("Duplicate"), tr("Add a copy of the selected one"), self._duplicate),
+            _button(tr("Remove"), tr("Remove the selected one"), self._drop),
+            _button(tr("Up"), tr("Move the selected one up"), partial(self._move, -1)),
+            _button(tr("Down"), tr("Move the selected one down"), partial(self._move, 1)),
+        ]
+        self._fewest = 1 if len(adders) > 1 else 0  # parts but one, among which to choose
+        content = QWidget()
+        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=4)
+        for line in (adders, self._of_chosen):
+            column.addLayout(filled(QHBoxLayout(), *line, STRETCH, spacing=4))
+        row = ListRow(replace(field, title=listed or field.title), self.path, content)
+        self._list.setAccessibleName(row.label.text())
+        row.label.setBuddy(self._list)
+        super().__init__(tr(field.title), [row], field.level)
+        self._list.currentRowChanged.connect(self._choose)
+
+    @property
+    def current(self) -> int:
+        """Index of the selected part; −1 for none."""
+        return self._list.currentRow()
 
     def prepare(self, session: Session) -> None:
         self._session = session
-        parts: tuple[AnyPart, ...] = value_at(session.scene, self.list.path)
-        self.list.show_parts(parts, self.remark(session.scene) if parts else tr(self._NONE))
+        parts: tuple[AnyPart, ...] = value_at(session.scene, self.path)
+        self._show_parts(parts, self.remark(session.scene) if parts else tr(self._NONE))
         self.note(f"{len(parts)}" if parts else "")
-        self._bind(self.list.current)
+        self._bind()
 
     def select(self, path: str) -> None:
-        if number := re.match(rf"{self.list.path}\[(\d+)\]", path):
-            self.list.select(int(number[1]))
+        if number := re.match(rf"{self.path}\[(\d+)\]", path):
+            self._list.setCurrentRow(int(number[1]))
 
     def remark(self, scene: Scene) -> str:
         """Return a sentence below the list of some parts."""
@@ -198,20 +224,21 @@ class ListedPanel(Panel, Generic[AnyPart]):
         return part
 
     def place_of_copy(self) -> int:
-        return self.list.current + 1
+        return self.current + 1
 
     def exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
         return second, first
 
     def chosen_among(self, before: tuple[AnyPart, ...], parts: tuple[AnyPart, ...]) -> int:
         """Return the part to select when the parts have changed."""
-        return min(max(self.list.current, 0), len(parts) - 1)
+        return min(max(self.current, 0), len(parts) - 1)
 
     def _choose(self) -> None:
-        self._bind(self.list.current)
-        self.reverted.emit(self.list.path)
+        self._bind()
+        self.reverted.emit(self.path)
 
-    def _bind(self, number: int) -> None:
+    def _bind(self) -> None:
+        number = self.current
         name = self.name_of(number) if number >= 0 else ""
         if number != self._bound:
             self._remove_rows(list(self.rows[1:]))
@@ -224,70 +251,15 @@ class ListedPanel(Panel, Generic[AnyPart]):
         for section in self.deeper.values():
             section.heading.setText(f"{self.title} · {name}" if name else self.title)
 
-
-class PartList(Row):
-    """List of parts, with buttons to add, duplicate, remove and move them."""
-
-    chosen = Signal()
-
-    def __init__(
-        self,
-        panel: ListedPanel[Any],
-        field: FieldDescription,
-        path: str,
-        called: str,
-        adding: Mapping[str, str],
-    ) -> None:
-        super().__init__(field, path)
-        self.label.setParent(self)
-        self.label.hide()  # the list has all the width
-        self._panel, self._called = panel, called
-        self._parts: tuple[Any, ...] = ()
-        self._list = QListWidget()
-        self._list.setAccessibleName(self.label.text())
-        self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
-        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
-        self._rest = Wrapped()
-        adders = [
-            _button(text, tip, partial(self._append, which))
-            for which, (text, tip) in enumerate(adding.items())
-        ]
-        self._of_chosen = [
-            _button(tr("Duplicate"), tr("Add a copy of the selected one"), self._duplicate),
-            _button(tr("Remove"), tr("Remove the selected one"), self._drop),
-            _button(tr("Up"), tr("Move the selected one up"), partial(self._move, -1)),
-            _button(tr("Down"), tr("Move the selected one down"), partial(self._move, 1)),
-        ]
-        self._fewest = 1 if len(adders) > 1 else 0  # parts but one, among which to choose
-        content = QWidget()
-        column = filled(QVBoxLayout(content), self._list, self._rest, margins=0, spacing=4)
-        for line in (adders, self._of_chosen):
-            column.addLayout(filled(QHBoxLayout(), *line, STRETCH, spacing=4))
-        self._add(content)
-        self.label.setBuddy(self._list)
-
-    @property
-    def current(self) -> int:
-        """Index of the selected part; −1 for none."""
-        return self._list.currentRow()
-
-    def select(self, number: int) -> None:
-        self._list.setCurrentRow(number)
-
-    def concerns(self, path: str) -> bool:
-        """Whether a refusal concerns the whole list."""
-        return path == self.path
-
-    def show_parts(self, parts: tuple[Part, ...], remark: str) -> None:
+    def _show_parts(self, parts: tuple[AnyPart, ...], remark: str) -> None:
         if parts != self._parts:
             with QSignalBlocker(self._list):
-                chosen = self._panel.chosen_among(self._parts, parts)
+                chosen = self.chosen_among(self._parts, parts)
                 self._parts = parts
                 self._list.clear()
                 for number, part in enumerate(parts, start=1):
-                    self._list.addItem(f"{number}.  {self._panel.summary(part)}")
-                    self._list.item(number - 1).setToolTip(self._panel.summary(part))
+                    self._list.addItem(f"{number}.  {self.summary(part)}")
+                    self._list.item(number - 1).setToolTip(self.summary(part))
                 self._list.setCurrentRow(chosen)
         if parts:
             rows = min(len(parts), _MOST_SEEN)
@@ -296,43 +268,53 @@ class PartList(Row):
         self._rest.show_text(remark)
         self._rest.setVisible(bool(remark))
         self._list.setVisible(bool(parts))
-        self._enable()
-
-    def _enable(self) -> None:
-        current, last = self.current, len(self._parts) - 1
+        last = len(parts) - 1
         for button in self._of_chosen:
             button.setVisible(last >= self._fewest)
         *_, up, down = self._of_chosen
-        up.setEnabled(current > 0)
-        down.setEnabled(0 <= current < last)
+        up.setEnabled(self.current > 0)
+        down.setEnabled(0 <= self.current < last)
 
     def _append(self, which: int) -> None:
-        part = self._panel.new(which)
+        part = self.new(which)
         if part is not None:
             self._put([*self._parts, part], tr("new {part}"), len(self._parts))
 
     def _duplicate(self) -> None:
-        current, parts = self.current, list(self._parts)
-        place = self._panel.place_of_copy()
-        parts.insert(place, self._panel.copy(parts[current]))
+        place, parts = self.place_of_copy(), list(self._parts)
+        parts.insert(place, self.copy(parts[self.current]))
         self._put(parts, tr("copy of {part} {number}"), place)
 
     def _drop(self) -> None:
-        current = self.current
-        rest = [part for number, part in enumerate(self._parts) if number != current]
-        self._put(rest, tr("removal of {part} {number}"), current)
+        rest = [part for number, part in enumerate(self._parts) if number != self.current]
+        self._put(rest, tr("removal of {part} {number}"), self.current)
 
     def _move(self, step: int) -> None:
         current, parts = self.current, list(self._parts)
         first = min(current, current + step)
-        parts[first : first + 2] = self._panel.exchanged(*parts[first : first + 2])
+        parts[first : first + 2] = self.exchanged(*parts[first : first + 2])
         self._put(parts, tr("move of {part} {number}"), current + step)
 
-    def _put(self, parts: list[Part], text: str, chosen: int) -> None:
-        data, text = _data(parts), text.format(part=self._called, number=self.current + 1)
+    def _put(self, parts: list[AnyPart], text: str, chosen: int) -> None:
+        data = _data(parts)
+        text = text.format(part=tr(self._CALLED), number=self.current + 1)
         self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
         if _data(self._parts) == data:  # not refused
             self._list.setCurrentRow(min(chosen, len(parts) - 1))
+
+
+class ListRow(Row):
+    """The row of a list of parts, over the whole width."""
+
+    def __init__(self, field: FieldDescription, path: str, content: QWidget) -> None:
+        super().__init__(field, path)
+        self.label.setParent(self)
+        self.label.hide()
+        self._add(content)
+
+    def concerns(self, path: str) -> bool:
+        """Whether a refusal concerns the whole list."""
+        return path == self.path
 
 
 def another_name(name: str, taken: Iterable[str], between: str) -> str:

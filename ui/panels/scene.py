@@ -208,7 +208,7 @@ class ProcessesPanel(ListedPanel[Process]):
     def _preset(self) -> Process | None:
         presets = {f"{tr(each.title)} ({tr(each.source)})": each for each in PRESETS.values()}
         chosen, accepted = QInputDialog.getItem(
-            self.list, tr("Preset"), tr("Process and source"), [*presets], editable=False
+            self, tr("Preset"), tr("Process and source"), [*presets], editable=False
         )
         return presets[chosen].in_unit(self.session.scene.unit) if accepted else None
 

@@ -71,7 +71,7 @@ def test_a_part_is_shown_with_its_first_field_marked(make_session, open_forms, q
         assert first.path.startswith(f"{part}.") and not first.visibleRegion().isEmpty()
         assert first.label.property("marked")
         qtbot.waitUntil(lambda row=first: not row.label.property("marked"))
-    assert panel(forms).list.current == 0
+    assert panel(forms).current == 0
 
 
 def click(qtbot, forms, text):
