@@ -52,7 +52,7 @@ def _work(window: MainWindow) -> None:
     loaded.check.checked.connect(checked.quit)
     window.commands["check"].trigger()
     checked.exec()
-    start = loaded.tolerances.form.begin
+    start = loaded.tolerances.begin
     start.click()
     settle(_SAMPLING)
     start.click()

@@ -28,51 +28,6 @@ from workbench.scene import Scene
 _HINT = later("Empty: the limit of the design task. Stored for the next start.")
 
 
-class LimitFields(RowForm):
-    """A field for each limit; an empty field means the limit of the design."""
-
-    limits_changed = Signal(object)  # Limits
-
-    def __init__(self, settings: QSettings) -> None:
-        rows = [option_row(name, about, None) for name, about in Limits.about()]
-        super().__init__(rows, self._data, self._enter)
-        self._settings = settings
-        self._unit, self._own, self._kept = "", Limits(), Limits()
-        for name, about in Limits.about():
-            self.row(name).explain(f"{tr(about.tip)}. {tr(_HINT)}")
-            named = tr("Limit: {label}").format(label=tr(about.title))
-            self._editor(name).setAccessibleName(named)
-        self.changed.connect(self._show)
-
-    @property
-    def limits(self) -> Limits:
-        kept = {name: value for name, value in asdict(self._kept).items() if value is not None}
-        return Limits.of(asdict(self._own) | kept)
-
-    def show_scene(self, scene: Scene) -> None:
-        if self._unit != scene.unit:
-            self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
-            self.forget()
-        self._own = Limits.asked(scene, scene.optic)
-        self._show_change()
-
-    def _show(self) -> None:
-        for name, value in asdict(self._own).items():
-            text = tr("none") if value is None else format(value, "g")
-            self._editor(name).setPlaceholderText(text)
-        self.limits_changed.emit(self.limits)
-
-    def _editor(self, name: str) -> NumberEditor:
-        return self.row(name).findChildren(NumberEditor)[0]
-
-    def _data(self) -> dict[str, Any]:
-        return {"unit": self._unit, **asdict(self._kept)}
-
-    def _enter(self, edits: list[Edit]) -> None:
-        self._kept = Limits.of(edited_data(self._data(), edits))
-        keep_options(self._settings, self._unit, self._kept)
-
-
 _STATES = later(
     {
         "met": ("✓ met", "The limit is kept everywhere."),
@@ -122,11 +77,25 @@ _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thickn
 _NAME, _FOUND, _SIGN, _LIMIT = range(4)
 
 
-class ManufactureFigures(LimitFields):
-    """A table of figures beside their limits, with each verdict below its figure."""
+class ManufactureFigures(RowForm):
+    """A table of figures beside fields of their limits, with each verdict below its figure.
+
+    An empty field means the limit of the design.
+    """
+
+    limits_changed = Signal(object)  # Limits
 
     def __init__(self, settings: QSettings) -> None:
-        super().__init__(settings)
+        rows = [option_row(limit, about, None) for limit, about in Limits.about()]
+        super().__init__(rows, self._data, self._enter)
+        self._editors = {each.path: each.findChildren(NumberEditor)[0] for each in rows}
+        for limit, about in Limits.about():
+            self.row(limit).explain(f"{tr(about.tip)}. {tr(_HINT)}")
+            label = tr("Limit: {label}").format(label=tr(about.title))
+            self._editors[limit].setAccessibleName(label)
+        self.changed.connect(self._show_limits)
+        self._settings = settings
+        self._unit, self._own, self._kept = "", Limits(), Limits()
         self._found: Manufacture | None = None
         self._found_unit = ""
         self._grid = grid = QGridLayout(self)
@@ -160,8 +129,33 @@ class ManufactureFigures(LimitFields):
         end = first + len(_OF_FACE) + 1
         grid.addWidget(self.note, end, 0, 1, 4)
         grid.setRowStretch(end + 1, 1)
-        self.limits_changed.connect(self._judge)
         self._show_entrance(False)
+
+    @property
+    def limits(self) -> Limits:
+        kept = {name: value for name, value in asdict(self._kept).items() if value is not None}
+        return Limits.of(asdict(self._own) | kept)
+
+    def show_scene(self, scene: Scene) -> None:
+        if self._unit != scene.unit:
+            self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
+            self.forget()
+        self._own = Limits.asked(scene, scene.optic)
+        self._show_change()
+
+    def _data(self) -> dict[str, Any]:
+        return {"unit": self._unit, **asdict(self._kept)}
+
+    def _enter(self, edits: list[Edit]) -> None:
+        self._kept = Limits.of(edited_data(self._data(), edits))
+        keep_options(self._settings, self._unit, self._kept)
+
+    def _show_limits(self) -> None:
+        for name, value in asdict(self._own).items():
+            text = tr("none") if value is None else format(value, "g")
+            self._editors[name].setPlaceholderText(text)
+        self._judge()
+        self.limits_changed.emit(self.limits)
 
     def show_found(self, found: Manufacture, unit: str) -> None:
         self._found, self._found_unit = found, unit
@@ -172,7 +166,7 @@ class ManufactureFigures(LimitFields):
             self._show_face(found.entrance, _ENTRANCE, found.thickest.value)
         self._show_entrance(found.entrance is not None)
         self.show_remark("")
-        self._judge(self.limits)
+        self._judge()
 
     def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
         for key in ("steepest", "tightest_concave", "tightest_convex", "tool_radius"):
@@ -221,10 +215,10 @@ class ManufactureFigures(LimitFields):
             cell.addWidget(state)
         self._grid.addLayout(cell, row, _FOUND)
 
-    def _judge(self, limits: Limits) -> None:
+    def _judge(self) -> None:
         if self._found is None:
             return
-        judged = {(v.name, v.at_least): v for v in verdicts(self._found, limits)}
+        judged = {(v.name, v.at_least): v for v in verdicts(self._found, self.limits)}
         for key in self.states:
             face = _ENTRANCE if key.startswith(_ENTRANCE) else ""
             line = _LINES[key.removeprefix(face)]

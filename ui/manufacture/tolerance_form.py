@@ -1,36 +1,42 @@
 """Fields for how far lenses may be off, and for how many of them are traced."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from typing import Any
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGridLayout, QPushButton
+from PySide6.QtWidgets import QGridLayout
 
 from ui.panels.edits import Edit
 from ui.panels.entries import RowForm, edited_data
 from ui.panels.fields import NumberRow, Row, described
-from ui.words import error_text, later, tr
+from ui.words import later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
-from workbench.errors import Refused
-from workbench.option_groups import Option
+from workbench.option_groups import OptionGroup, option
 from workbench.scene import LENGTH, Measure, Scene
 from workbench.scene.fields import ANGLE, Between
 from workbench.units import ratio, times
 
 _MEASURES = {"": Measure(), "degrees": ANGLE, "length": LENGTH}
-_COUNTS = {
-    "lenses": Option(
+
+
+@dataclass(frozen=True)
+class Samples(OptionGroup):
+    """Which lenses are traced."""
+
+    lenses: int = option(
         later("Lenses"),
         later("Number of traced lenses; more lenses give better percentiles"),
+        100,
         kind=int,
         least=1,
         most=100_000,
-    ),
-    "seed": Option(
-        later("Seed"), later("The same seed gives the same lenses"), kind=int, most=2**53
-    ),
-}
+    )
+    seed: int = option(
+        later("Seed"), later("The same seed gives the same lenses"), 1, kind=int, most=2**53
+    )
+
+
 # Of the lens, to begin with.
 _DECENTRE, _SCALE = 0.005, 0.1
 
@@ -38,12 +44,8 @@ _DECENTRE, _SCALE = 0.005, 0.1
 class ToleranceForm(RowForm):
     """Tolerances, number of lenses and seed, with refusals beside the fields."""
 
-    toggled = Signal()
-    save_asked = Signal()
-
     def __init__(self) -> None:
         super().__init__(self._made(), self._whole, self._enter)
-        self.obstacle = ""
         self._scene: Scene | None = None
         self._data: dict[str, Any] = {}
         grid = QGridLayout(self)
@@ -54,13 +56,6 @@ class ToleranceForm(RowForm):
             for number, row in enumerate(rows):
                 grid.addWidget(row.label, line, 2 * number)
                 grid.addWidget(row, line, 2 * number + 1, 1, 3 if row.path in PAIRS else 1)
-        self.begin = QPushButton()
-        self.begin.clicked.connect(self.toggled)
-        self.save = QPushButton(tr("Save…"))
-        self.save.setToolTip(
-            tr("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
-        )
-        self.save.clicked.connect(self.save_asked)
         grid.setRowStretch(len(lines), 1)
 
     @property
@@ -68,12 +63,8 @@ class ToleranceForm(RowForm):
         return self._possible(self._data)
 
     @property
-    def lenses(self) -> int:
-        return int(self._data["lenses"])
-
-    @property
-    def seed(self) -> int:
-        return int(self._data["seed"])
+    def samples(self) -> Samples:
+        return Samples.of(self._data)
 
     def show_scene(self, scene: Scene) -> None:
         """Use the unit of a design, and default lengths for another lens size."""
@@ -91,8 +82,7 @@ class ToleranceForm(RowForm):
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
                 "index": 0.001,
-                "lenses": 100,
-                "seed": 1,
+                **asdict(Samples()),
             }
         if before is None or (before.optic, before.source, before.receiver) != (
             scene.optic,
@@ -105,17 +95,9 @@ class ToleranceForm(RowForm):
                 row.explain(tr(ABOUT[row.path].tip, optic=scene.optic.called))
         self.show_rows()
 
-    def accepted(self) -> bool:
-        """Whether all entries are possible; `obstacle` is the reason that no row shows."""
-        self.commit()
-        self.obstacle = ""
-        if self.refused:
-            return False
-        try:
-            self._check(self._data)
-        except Refused as refused:
-            self.obstacle = error_text(refused)
-        return not self.obstacle
+    def check(self) -> None:
+        """Raise `Refused` unless the tolerances are possible for the shown scene."""
+        self._check(self._data)
 
     def _convert(self, factor: Fraction) -> None:
         for row in self.rows:
@@ -140,8 +122,7 @@ class ToleranceForm(RowForm):
     def _check(self, data: dict[str, Any]) -> None:
         """Raise `Refused` with the path of a value that is not possible."""
         assert self._scene is not None  # there is one before anything is typed
-        for name, about in _COUNTS.items():
-            about.check(name, data[name])
+        Samples.of(data)
         self._possible(data).check(self._scene)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
@@ -160,7 +141,7 @@ class ToleranceForm(RowForm):
             row = NumberRow(described(tr(about.title), tip, kind, *marks), name)
             row.only_if(lambda _, name=name: self._is_there(name))  # type: ignore[misc]
             yield row
-        for name, count in _COUNTS.items():
+        for name, count in Samples.about():
             yield NumberRow(described(tr(count.title), tr(count.tip), int), name)
 
 

@@ -9,17 +9,19 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton
 
 from ui.background import Background, Task
 from ui.document.frame import Frame, same_light, shows
-from ui.manufacture.tolerance_form import ToleranceForm
+from ui.manufacture.tolerance_form import Samples, ToleranceForm
 from ui.views.plot_view import PlotView
 from ui.views.view import View
 from ui.widgets.controls import SideBySide
 from ui.widgets.labels import WrappedLabel
-from ui.words import later, tr
+from ui.words import error_text, later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution, Perturbed
+from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.pictures.axes import Column
 from workbench.pictures.error_curves import draw_errors
@@ -31,8 +33,7 @@ class Sample:
 
     frame: Frame
     within: Tolerances
-    wanted: int
-    seed: int
+    wanted: Samples
     nominal: Perturbed | None = None
     others: list[Perturbed] = field(default_factory=list)
 
@@ -55,11 +56,17 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
 
     session, heights = sample.frame.session, sample.frame.state.heights
     for each in perturbed(
-        session.scene, session.target, heights, sample.within, sample.wanted, rays, sample.seed
+        session.scene,
+        session.target,
+        heights,
+        sample.within,
+        sample.wanted.lenses,
+        rays,
+        sample.wanted.seed,
     ):
         if task.stopped:
             break
-        task.part = len(sample.others) / sample.wanted
+        task.part = len(sample.others) / sample.wanted.lenses
         task.report(each)
 
 
@@ -137,7 +144,10 @@ class TolerancePane(View):
     def __init__(self) -> None:
         super().__init__()
         self.plot, self.form = SpreadView(), ToleranceForm()
-        self._box.addWidget(SideBySide(self.plot, self.form, (self.form.begin, self.form.save)))
+        self.begin, self.save = QPushButton(), QPushButton(tr("Save…"))
+        tip = tr("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
+        self.save.setToolTip(tip)
+        self._box.addWidget(SideBySide(self.plot, self.form, (self.begin, self.save)))
         self.summary = WrappedLabel()
         self.summary.setContentsMargins(6, 0, 6, 4)
         self.plot.add_below(self.summary)
@@ -146,8 +156,8 @@ class TolerancePane(View):
         self.background.progressed.connect(self._add_lens)
         self.background.done.connect(self._follow)
         self.background.failed.connect(self._give_up)
-        self.form.toggled.connect(self.toggle)
-        self.form.save_asked.connect(self.save_asked)
+        self.begin.clicked.connect(self.toggle)
+        self.save.clicked.connect(self.save_asked)
         self._offer()
 
     @property
@@ -175,17 +185,22 @@ class TolerancePane(View):
             self.background.stop()
             self._offer()
         elif self._frame is not None:
-            if not self.form.accepted():
-                if self.form.obstacle:
-                    self.summary.setText(self.form.obstacle)
-                return
-            if not self.form.within.any:
-                self.summary.setText(tr(_NOTHING_OFF))
-                return
-            sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
-            self._sample = sample
-            self.background.begin(partial(trace_sample, sample, _RAYS), sample, tr("Tolerances"))
-            self._offer()
+            self.form.commit()
+            if not self.form.refused:
+                self._begin(self._frame)
+
+    def _begin(self, frame: Frame) -> None:
+        try:
+            self.form.check()
+        except Refused as refused:  # for no field
+            self.summary.setText(error_text(refused))
+            return
+        if not self.form.within.any:
+            self.summary.setText(tr(_NOTHING_OFF))
+            return
+        sample = self._sample = Sample(frame, self.form.within, self.form.samples)
+        self.background.begin(partial(trace_sample, sample, _RAYS), sample, tr("Tolerances"))
+        self._offer()
 
     def _add_lens(self, sample: Sample, each: Perturbed) -> None:
         sample.add(each)
@@ -205,17 +220,16 @@ class TolerancePane(View):
 
     def _offer(self) -> None:
         busy, sample = self.background.busy, self._sample
-        begin = self.form.begin
-        begin.setText(tr("Cancel") if busy else tr("Start"))
-        begin.setToolTip(
+        self.begin.setText(tr("Cancel") if busy else tr("Start"))
+        self.begin.setToolTip(
             tr("Stop; the traced lenses are kept")
             if busy
             else tr("Perturb the lens at random and trace each sample independently")
         )
         possible = self._resting and self._frame is not None and not self._of_another
         self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
-        begin.setEnabled(not self.background.stopping if busy else possible)
-        self.form.save.setEnabled(sample is not None and sample.shown)
+        self.begin.setEnabled(not self.background.stopping if busy else possible)
+        self.save.setEnabled(sample is not None and sample.shown)
         self.summary.setText(self._figures(busy))
 
     def _figures(self, busy: bool) -> str:
@@ -223,7 +237,7 @@ class TolerancePane(View):
         if sample is None:
             return ""
         done = tr("{count} of {wanted} lenses").format(
-            count=len(sample.others), wanted=sample.wanted
+            count=len(sample.others), wanted=sample.wanted.lenses
         )
         if sample.nominal is None or not sample.others:
             return f"{done}…"

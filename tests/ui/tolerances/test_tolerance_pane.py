@@ -45,12 +45,12 @@ def enter(pane, qtbot, path, text):
 def sample(pane, qtbot, lenses=4):
     """Have lenses traced."""
     enter(pane, qtbot, "lenses", f"{lenses}")
-    qtbot.mouseClick(pane.form.begin, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(pane.begin, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not pane.background.busy, timeout=60_000)
 
 
 def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
-    assert pane.plot.empty and not pane.form.save.isEnabled()
+    assert pane.plot.empty and not pane.save.isEnabled()
     enter(pane, qtbot, "tilt", "1.5")
     enter(pane, qtbot, "seed", "3")
     sample(pane, qtbot)
@@ -66,7 +66,7 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
         f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
     )
     qtbot.waitUntil(lambda: not pane.plot.empty)
-    assert pane.form.save.isEnabled()
+    assert pane.save.isEnabled()
 
 
 def test_errors_that_trains_do_not_have_have_no_fields(pane, session):
@@ -82,7 +82,7 @@ def test_errors_that_trains_do_not_have_have_no_fields(pane, session):
     train = Scene.from_data(data | {"elements": [data["elements"][0], plate]})
     pane.show_design(replace(session, scene=train))
     assert before - fields() == {"exit_tilt", "exit_decentre", "source_tilt"}
-    assert pane.form.accepted()
+    pane.form.check()
     decentre = pane.form.within.decentre
     pane.show_design(session.in_unit("m"))
     assert pane.form.within.decentre == pytest.approx(decentre / 100)
@@ -108,11 +108,11 @@ def test_impossible_tolerance_is_refused_beside_its_field_and_taken_back(pane, q
 def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     enter(pane, qtbot, "lenses", "50000")
     pane.toggle()
-    assert pane.form.begin.text() == "Cancel"
+    assert pane.begin.text() == "Cancel"
     qtbot.waitUntil(lambda: len(pane._sample.others) > 2, timeout=60_000)
     pane.toggle()
-    assert not pane.form.begin.isEnabled()
+    assert not pane.begin.isEnabled()
     qtbot.waitUntil(lambda: not pane.background.busy, timeout=60_000)
-    assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
+    assert pane.begin.text() == "Start" and pane.begin.isEnabled()
     traced = len(pane._sample.others)
     assert 2 < traced < 50000 and pane.summary.text().startswith(f"{traced} of 50000 lenses: ")
