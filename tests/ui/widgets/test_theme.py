@@ -1,13 +1,15 @@
 """Contrast of texts, and rings around what has the keyboard, by WCAG 2.2."""
 
 import itertools
+import re
 
 import pytest
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
+import resources
 from ui.views.image_overlays import _BACKING
-from ui.widgets import marks, theme
+from ui.widgets import theme
 
 ROLES = QPalette.ColorRole
 GROUNDS = ROLES.Window, ROLES.Base, ROLES.Button, ROLES.ToolTipBase, ROLES.AlternateBase
@@ -66,7 +68,8 @@ def test_rings_and_marks_stand_out(palette, scheme):
     for ground in (palette.color(ROLES.Window), palette.color(ROLES.Base)):
         assert contrast(theme._LINK[scheme], ground) >= 3
         assert contrast(theme._HIGHLIGHT, ground) >= 3
-        for colour in marks._COLOURS.values():
+        for mark in resources.path("icons").glob("mark-*.svg"):
+            (colour,) = re.findall('fill="(#.*?)"', mark.read_text())
             assert contrast(colour, ground) >= 3
 
 
