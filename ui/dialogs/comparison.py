@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
-from ui.widgets.controls import Table, filled
+from ui.widgets.controls import Table
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.figures import FigureCanvas, translate
 from ui.words import capitalised, tr
 
@@ -17,15 +18,14 @@ if TYPE_CHECKING:
 _SIZE = QSize(1240, 780)
 
 
-class ComparisonDialog(QDialog):
-    """Picture and figures; ``save`` writes the corrected part, where there is one."""
+class ComparisonDialog(Dialog):
+    """Picture and figures."""
 
     def __init__(
         self, draw: Callable[[Figure], None], rows: "Sequence[Fact]", window: QWidget
     ) -> None:
-        super().__init__(window)
+        super().__init__(tr("Made and designed"), window, Buttons.Close)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(tr("Made and designed"))
         figure = Figure(layout="constrained")
         draw(figure)
         translate(figure)
@@ -36,12 +36,5 @@ class ComparisonDialog(QDialog):
             self.table.put(number, (capitalised(tr(name)), tr(value)))
         self.table.setWordWrap(False)
         self.table.resizeRowsToContents()
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        role = QDialogButtonBox.ButtonRole.ActionRole
-        self.save = buttons.addButton(tr("Save &corrected part…"), role)
-        self.save.setToolTip(tr("Write a design whose face makes good what repeats in the parts"))
-        self.save.hide()  # unless parts were measured
-        buttons.rejected.connect(self.reject)
         canvas = FigureCanvas(self, tr("Made beside designed"), figure)
-        filled(QVBoxLayout(self), (canvas, 2), (self.table, 1), buttons)
-        self.resize(_SIZE.boundedTo(window.size()))
+        self.fill((canvas, 2), (self.table, 1), size=_SIZE)

@@ -2,11 +2,11 @@
 
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ui.manufacture.option_fields import OptionFields
 from ui.panels.crop import ARROWS, grey_image
-from ui.widgets.controls import filled
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import ScaledImage
 from ui.words import later, tr
@@ -87,18 +87,12 @@ class CornerView(ScaledImage):
         painter.end()
 
 
-class PhotographDialog(QDialog):
+class PhotographDialog(Dialog):
     """Asks for the corners of the receiver in a photograph, and for its tone."""
 
     def __init__(self, light: Array, begin_with: PhotographOptions, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Compare a photograph"))
+        super().__init__(tr("Compare a photograph"), window, Buttons.Cancel)
         self.view, self.fields = CornerView(light), OptionFields("mm", begin_with)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        compare = buttons.addButton(tr("&Compare"), QDialogButtonBox.ButtonRole.AcceptRole)
-        compare.setDefault(True)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), WrappedLabel(tr(_ABOUT)), (self.view, 1), self.fields, buttons)
-        self.resize(_SIZE.boundedTo(window.window().size()))
+        self.add_button(tr("&Compare")).setDefault(True)
+        self.fill(WrappedLabel(tr(_ABOUT)), (self.view, 1), self.fields, size=_SIZE)
         self.view.setFocus()

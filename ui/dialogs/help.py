@@ -5,8 +5,6 @@ from collections.abc import Callable, Iterator
 from PySide6.QtCore import QObject, QSettings, QSize, Qt, QUrl
 from PySide6.QtGui import QImage, QResizeEvent, QTextCursor, QTextDocument
 from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QLineEdit,
     QListWidget,
@@ -25,6 +23,7 @@ from ui.commands.actions import Commands
 from ui.commands.command_search import CommandPalette
 from ui.dialogs.coach import CoachMarks
 from ui.widgets.controls import filled
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 
@@ -60,12 +59,11 @@ class PageView(QTextBrowser):
             self.verticalScrollBar().setValue(place)
 
 
-class Manual(QDialog):
+class Manual(Dialog):
     """Window of the manual."""
 
     def __init__(self, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Manual"))
+        super().__init__(tr("Manual"), window, Buttons.Close)
         self._pages: list[Page] = pages()
         self._places: list[QTextCursor] = []  # of what is searched for, on this page
         self._search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
@@ -84,21 +82,17 @@ class Manual(QDialog):
         self._list.currentRowChanged.connect(self._open)
         self._text.sourceChanged.connect(self._follow)
         self._lay_out()
-        font = self.fontMetrics()
-        wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
-        self.resize(QSize(*wanted).boundedTo(window.size()))
         self._list.setCurrentRow(0)
 
     def _lay_out(self) -> None:
-        aside = QWidget()
-        aside.setFixedWidth(self.fontMetrics().averageCharWidth() * _LIST_COLUMNS)
+        aside, font = QWidget(), self.fontMetrics()
+        aside.setFixedWidth(font.averageCharWidth() * _LIST_COLUMNS)
         filled(QVBoxLayout(aside), self._search, self._nothing, (self._list, 1), margins=0)
         line = filled(QHBoxLayout(), aside, (self._text, 1))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        for button in buttons.findChildren(QPushButton):
+        for button in self.buttons.findChildren(QPushButton):
             button.setAutoDefault(False)  # Return goes on searching
-        filled(QVBoxLayout(self), (line, 1), buttons)
+        size = QSize(font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS)
+        self.fill((line, 1), size=size)
 
     def _open(self, row: int) -> None:
         url = QUrl.fromLocalFile(str(self._pages[row].file))

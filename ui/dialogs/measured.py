@@ -109,8 +109,9 @@ class Measured(QObject):
         if found is not None:  # else cancelled
             dialog = ComparisonDialog(found.draw, found.rows, self._dialogs.window)
             if found.inspection is not None:
-                dialog.save.clicked.connect(partial(self._correct, session, found.inspection))
-                dialog.save.show()
+                tip = tr("Write a design whose face makes good what repeats in the parts")
+                correct = partial(self._correct, session, found.inspection)
+                dialog.add_button(tr("Save &corrected part…"), tip, correct)
             dialog.show()
 
     def _correct(self, session: "Session", inspection: "Inspection") -> None:

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ui.widgets import theme
 from ui.widgets.controls import Chooser
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import application
 from ui.words import LANGUAGES, later, set_language, tr
@@ -86,12 +87,11 @@ def apply_look(settings: QSettings) -> None:
 _COLUMNS = 20  # characters of the longest choice
 
 
-class PreferencesDialog(QDialog):
+class PreferencesDialog(Dialog):
     """A choice for each preference, kept at once."""
 
     def __init__(self, settings: QSettings, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Preferences"))
+        super().__init__(tr("Preferences"), window, Buttons.Close)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._settings = settings
         self.choosers: dict[str, Chooser] = {}
@@ -108,9 +108,7 @@ class PreferencesDialog(QDialog):
             self.choosers[preference.key] = chooser
             form.addRow(tr(preference.title), chooser)
         form.addRow(WrappedLabel(tr("Text size, language and cores change at the next start.")))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        form.addRow(buttons)
+        form.addRow(self.buttons)
 
     def _keep(self, preference: Preference, _: int) -> None:
         self._settings.setValue(preference.key, self.choosers[preference.key].currentData())

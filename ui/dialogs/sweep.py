@@ -11,20 +11,18 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QSize, QTimer, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QDialog,
-    QDialogButtonBox,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLineEdit,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from ui.background import Background, Task
 from ui.document.document import Document
 from ui.widgets.controls import Choice, Table, filled, side_by_side
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, field_title, later, tr
@@ -84,14 +82,13 @@ _ABOUT = later(
 _FIGURES = later(("Verified error", "Light", "Iterations", "Seconds"))
 
 
-class SweepDialog(QDialog):
+class SweepDialog(Dialog):
     """Dialog of a sweep, which stays open: fields, values, folder, table and curve."""
 
     open_asked = Signal(Path)
 
     def __init__(self, document: Document, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Sweep"))
+        super().__init__(tr("Sweep"), window, Buttons.Close)
         self._document, self._rows = document, dict[int, "PointRow"]()
         self._sweep: Sweep | None = None
         self.form, self.folder = SweepForm(), QLineEdit()
@@ -100,31 +97,18 @@ class SweepDialog(QDialog):
         self.status.setAccessibleName(tr("Progress of the sweep"))
         self.table, self.curve = Table(tr("Designs of the sweep")), SweepCurve(self)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        action = QDialogButtonBox.ButtonRole.ActionRole
-        self.begin, self.look = (
-            buttons.addButton(text, action) for text in (tr("Start"), tr("&Open design"))
-        )
-        self.look.setToolTip(tr("Open the session of the selected row"))
+        self.begin = self.add_button(tr("Start"), act=self.toggle)
+        tip = tr("Open the session of the selected row")
+        self.look = self.add_button(tr("&Open design"), tip, self._open)
         self.begin.setDefault(True)
-        filled(
-            QVBoxLayout(self),
-            WrappedLabel(tr(_ABOUT)),
-            self.form,
-            self.status,
-            (side_by_side((self.table, self.curve), _SHARES, _SIZE.width()), 1),
-            buttons,
-        )
-        self.resize(_SIZE.boundedTo(window.size()))
+        parts = side_by_side((self.table, self.curve), _SHARES, _SIZE.width())
+        self.fill(WrappedLabel(tr(_ABOUT)), self.form, self.status, (parts, 1), size=_SIZE)
         self.background = Background(later("sweep"), self)
         self.background.progressed.connect(self._show_row)
         self.background.done.connect(lambda *_: self._offer())
         self.background.failed.connect(self._give_up)
-        self.begin.clicked.connect(self.toggle)
-        self.look.clicked.connect(self._open)
         self.table.itemSelectionChanged.connect(self._offer)
         self.table.itemDoubleClicked.connect(lambda _: self._open())
-        buttons.rejected.connect(self.reject)
         self._offer()
 
     def show_design(self) -> None:

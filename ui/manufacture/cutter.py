@@ -15,6 +15,7 @@ from ui.manufacture.option_fields import (
     kept_options,
 )
 from ui.widgets.controls import STRETCH, filled
+from ui.widgets.labels import WrappedLabel
 from ui.words import capitalised, later, tr
 from workbench.files.export.formats import GCODE, Format
 from workbench.files.export.options import Chosen, Cutting
@@ -67,7 +68,7 @@ class CutterDialog(WorkDialog):
         self._session, self._unit = session, session.scene.unit
         self.fields = OptionFields(self._unit, begin_with)
         name = later("simulation of the cut")
-        super().__init__(tr("Ball cutter"), tr(_ABOUT), self.fields, name, window)
+        super().__init__(tr("Ball cutter"), name, window)
         self.plan: CutPlan | None = None
         self._fitting = 0.0
         self.fields.changed.connect(self.simulate)
@@ -76,10 +77,11 @@ class CutterDialog(WorkDialog):
         self.state.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.fit = QPushButton()
         self.fit.clicked.connect(self._take_fitting)
-        self.write = self._button(tr("&Write G-code…"), "")
+        self.write = self.add_button(tr("&Write G-code…"))
         tip = tr("Compare the image of the lens as made with the lens as designed")
-        self.look = self._button(tr("&Trace light"), tip, self.trace)
-        filled(self._column, filled(QHBoxLayout(), STRETCH, self.fit), self._buttons)
+        self.look = self.add_button(tr("&Trace light"), tip, self.trace)
+        beside = filled(QHBoxLayout(), STRETCH, self.fit)
+        self.fill(WrappedLabel(tr(_ABOUT)), self.fields, self.state, beside)
         self._goes_on = False  # whether the keyboard was at the button
         self.simulate()
 

@@ -1,20 +1,13 @@
 """Fields of a group of export options, from its description, and what was chosen last."""
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from typing import Any, Generic, Literal, TypeVar
 
 from annotated_types import Ge, Le
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QHBoxLayout,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.background import Background, Work
 from ui.panels.edits import Edit
@@ -22,6 +15,7 @@ from ui.panels.entries import RowForm, edited_data
 from ui.panels.fields import Row, described
 from ui.panels.rows import value_row
 from ui.widgets.controls import filled
+from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
@@ -73,7 +67,7 @@ class OptionFields(RowForm, Generic[Group]):
             yield row
 
 
-class OptionDialog(QDialog):
+class OptionDialog(Dialog):
     """Asks for the options of a format."""
 
     plan = None  # of a cut, which is planned when the file is written
@@ -81,14 +75,9 @@ class OptionDialog(QDialog):
     def __init__(
         self, unit: str, begin_with: Sequence[OptionGroup], title: str, window: QWidget
     ) -> None:
-        super().__init__(window)
-        self.setWindowTitle(title)
+        super().__init__(title, window, Buttons.Ok | Buttons.Cancel)
         self.fields = [OptionFields(unit, each) for each in begin_with]
-        kinds = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(kinds.Ok | kinds.Cancel)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        filled(QVBoxLayout(self), *self.fields, buttons)
+        self.fill(*self.fields)
 
     @property
     def options(self) -> tuple[OptionGroup, ...]:
@@ -99,32 +88,18 @@ class OptionDialog(QDialog):
             super().accept()
 
 
-class WorkDialog(QDialog):
+class WorkDialog(Dialog):
     """Fields of work in a thread; its progress and its outcome stand below them."""
 
-    def __init__(self, title: str, about: str, fields: RowForm, name: str, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(title)
+    def __init__(self, title: str, name: str, window: QWidget) -> None:
+        super().__init__(title, window, Buttons.Cancel)
         self.state, self._working = WrappedLabel(), ""  # a text with the percentage that is done
         self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
-        self._column = filled(QVBoxLayout(self), WrappedLabel(about), fields, self.state)
         self.background = Background(name, self)
         self.background.progressed.connect(self._show_progress)
         self.background.done.connect(self._show_outcome)
         self.background.failed.connect(self._show_failure)
         self.finished.connect(self.background.close)
-
-    def _button(self, text: str, tip: str, act: Callable[[], None] | None = None) -> QPushButton:
-        """Add a button that acts, or one that accepts."""
-        roles = QDialogButtonBox.ButtonRole
-        button = self._buttons.addButton(text, roles.ActionRole if act else roles.AcceptRole)
-        button.setToolTip(tip)
-        if act is not None:
-            button.clicked.connect(act)
-        return button
 
     def _begin(self, working: str, work: Work) -> None:
         self._working = working

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QWidget
 from ui.background import Task
 from ui.manufacture.option_fields import OptionFields, WorkDialog
 from ui.panels.edits import Edit
-from ui.widgets.controls import Table, filled
+from ui.widgets.controls import Table
+from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.making.plan_options import PlanOptions
 from workbench.files.session import Session
@@ -32,7 +33,7 @@ class PlanDialog(WorkDialog):
     def __init__(self, session: Session, choose: Callable[[Edit], object], window: QWidget) -> None:
         self.fields = OptionFields(session.scene.unit, PlanOptions())
         title, name = tr("Plan milling and polishing"), later("search for plans")
-        super().__init__(title, tr(_ABOUT), self.fields, name, window)
+        super().__init__(title, name, window)
         self._session, self._choose = session, choose
         self._plans: tuple[ShopPlan, ...] = ()
         self.fields.changed.connect(self._allow)
@@ -42,9 +43,9 @@ class PlanDialog(WorkDialog):
         self.table.setMinimumHeight(_ROWS * self.fontMetrics().lineSpacing())
         self.table.itemSelectionChanged.connect(self._allow)
         tip = tr("Enter these processes; Continue then designs for them")
-        self.use = self._button(tr("&Use this plan"), tip)
-        self.again = self._button(tr("&Find plans"), "", self.search)
-        filled(self._column, (self.table, 1), self._buttons)
+        self.use = self.add_button(tr("&Use this plan"), tip)
+        self.again = self.add_button(tr("&Find plans"), act=self.search)
+        self.fill(WrappedLabel(tr(_ABOUT)), self.fields, self.state, (self.table, 1))
         self.resize(72 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
         self.search()
 

@@ -5,20 +5,14 @@ import math
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QHBoxLayout,
-    QLabel,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialogButtonBox, QHBoxLayout, QLabel, QWidget
 
 from ui.panels.crop import WHOLE, CropView
 from ui.panels.edits import Edit, edited_scene
 from ui.panels.entries import RowForm
 from ui.panels.rows import Rows
 from ui.widgets.controls import filled
+from ui.widgets.dialog import Buttons, Dialog
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.scene import LEVELS, ImageTarget, Scene
@@ -124,15 +118,14 @@ class Histogram(QWidget):
         return _HANDLE + value * self._across
 
 
-class PictureDialog(QDialog):
+class PictureDialog(Dialog):
     """Asks which part of a picture is kept, and for its inversion, levels and gamma.
 
     ``scene`` has an image target at ``path``.
     """
 
     def __init__(self, picture: Picture, scene: Scene, path: str, window: QWidget) -> None:
-        super().__init__(window)
-        self.setWindowTitle(tr("Crop and tone of the picture"))
+        super().__init__(tr("Crop and tone of the picture"), window, Buttons.Ok | Buttons.Cancel)
         self._picture, self._scene, self._path = picture, scene, path
         self._before = self.target
         rows, columns = picture.light.shape
@@ -141,14 +134,8 @@ class PictureDialog(QDialog):
         self._light = averaged(picture.light, shape)
         self.view, self.histogram = CropView(self.target.crop), Histogram()
         self._figures = QLabel()
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        self._ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
-        whole = buttons.addButton(tr("&Whole picture"), QDialogButtonBox.ButtonRole.ResetRole)
+        whole = self.buttons.addButton(tr("&Whole picture"), QDialogButtonBox.ButtonRole.ResetRole)
         whole.clicked.connect(lambda: self.view.show_crop(WHOLE))
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         makers = Rows(lambda: self._scene)
         fields = {field.name: field for field in ImageTarget.fields()}
         made = [
@@ -159,13 +146,12 @@ class PictureDialog(QDialog):
         self._form = form = RowForm(made, lambda: self._scene, self._edit)
         form.setLayout(form.in_form(made))
         tone = filled(QHBoxLayout(), (self.histogram, 1), form)
-        filled(QVBoxLayout(self), (self.view, 1), tone, self._figures, buttons)
+        self.fill((self.view, 1), tone, self._figures, size=_SIZE)
         self.view.changed.connect(self._show)
         self.histogram.moved.connect(self._move_level)
         form.changed.connect(self._show)
         form.show_rows()
         self._show()
-        self.resize(_SIZE.boundedTo(window.window().size()))
         self.view.setFocus()
 
     @property
@@ -190,7 +176,7 @@ class PictureDialog(QDialog):
         self._form.edit(Edit(path, path, {path: value}, drag=name))
 
     def _show(self) -> None:
-        self._ok.setEnabled(not self._form.refused)
+        self.buttons.button(Buttons.Ok).setEnabled(not self._form.refused)
         crop, target, tone = self.view.crop, self.target, self._picture.tone
         peak = cropped(self._picture.light, crop).max() or 1.0
         values = pixel_values(np.minimum(self._light / peak, 1.0), target, tone)

@@ -25,6 +25,8 @@ from PySide6.QtWidgets import (
 )
 
 Part = QWidget | QLayout
+Item = Part | int | tuple[Part, int]
+"""A part, perhaps with its stretch factor, or a stretch."""
 Box = TypeVar("Box", bound=QBoxLayout)
 
 STRETCH = 1
@@ -33,11 +35,11 @@ STRETCH = 1
 
 def filled(
     box: Box,
-    *items: Part | int | tuple[Part, int],
+    *items: Item,
     margins: tuple[int, int, int, int] | int | None = None,
     spacing: int | None = None,
 ) -> Box:
-    """Fill a layout with parts, each with its stretch factor if it has one, and stretches."""
+    """Fill a layout with parts and stretches."""
     if margins is not None:
         box.setContentsMargins(*(4 * (margins,) if isinstance(margins, int) else margins))
     if spacing is not None:
