@@ -20,6 +20,7 @@ from workbench.targets.colour import SRGB
 
 Crop = tuple[float, float, float, float]
 """What is cut away at the left, top, right and bottom, as fractions."""
+Ends = tuple[bool, bool]  # which edges along an axis are dragged: the lower and the higher one
 
 _NEAR, _HANDLE = 12.0, 7.0  # pixels from an edge that is taken hold of, and size of a handle
 _LEAST = 0.05  # of the picture is kept along each axis
@@ -63,7 +64,7 @@ class CropView(ScaledImage):
     def __init__(self, crop: Crop) -> None:
         super().__init__()
         self.crop = crop
-        self._held: tuple[bool, ...] = ()  # which edges are dragged
+        self._held: tuple[Ends, Ends] | None = None  # along x and y
         self._at = QPointF()
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -92,16 +93,16 @@ class CropView(ScaledImage):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
-        if not any(self._held):
-            near = self._near(at)
-            self.setCursor(_CURSORS[near[0] or near[2], near[1] or near[3]])
+        if self._held is None:
+            along_x, along_y = self._near(at)
+            self.setCursor(_CURSORS[any(along_x), any(along_y)])
             return
         by, place = at - self._at, self.place
         self._at = at
         self._move(self._held, by.x() / place.width(), by.y() / place.height())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._held = ()
+        self._held = None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.show_crop(WHOLE)
@@ -112,8 +113,7 @@ class CropView(ScaledImage):
             super().keyPressEvent(event)
             return
         alone = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        held = (not alone, not alone, True, True)
-        self._move(held, _STEP * step[0], _STEP * step[1])
+        self._move(2 * ((not alone, True),), _STEP * step[0], _STEP * step[1])
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -133,29 +133,29 @@ class CropView(ScaledImage):
                     painter.fillRect(handle, accent)
         painter.end()
 
-    def _near(self, at: QPointF) -> tuple[bool, ...]:
-        """Which edges are moved from here: left, top, right, bottom; all within the rectangle."""
+    def _near(self, at: QPointF) -> tuple[Ends, Ends]:
+        """Which edges are moved from here; all of them within the rectangle."""
         kept = self.kept
         if not kept.adjusted(-_NEAR, -_NEAR, _NEAR, _NEAR).contains(at):
-            return (False,) * 4
-        gaps = at.x() - kept.left(), at.y() - kept.top(), kept.right() - at.x()
-        edges = [abs(gap) <= _NEAR for gap in (*gaps, kept.bottom() - at.y())]
-        if edges[0] and edges[2]:  # of a narrow rectangle
-            edges[0] = gaps[0] < gaps[2]
-            edges[2] = not edges[0]
-        if edges[1] and edges[3]:
-            edges[1] = gaps[1] < kept.bottom() - at.y()
-            edges[3] = not edges[1]
-        return tuple(edges) if any(edges) else (True,) * 4
+            return (False, False), (False, False)
+        along_x = _near_ends(at.x(), kept.left(), kept.right())
+        along_y = _near_ends(at.y(), kept.top(), kept.bottom())
+        return (along_x, along_y) if any(along_x + along_y) else ((True, True), (True, True))
 
-    def _move(self, edges: tuple[bool, ...], x: float, y: float) -> None:
+    def _move(self, edges: tuple[Ends, ...], x: float, y: float) -> None:
         left, top, right, bottom = self.crop
-        left, right = _moved((left, right), (edges[0], edges[2]), x)
-        top, bottom = _moved((top, bottom), (edges[1], edges[3]), y)
+        left, right = _moved((left, right), edges[0], x)
+        top, bottom = _moved((top, bottom), edges[1], y)
         self.show_crop((left, top, right, bottom))
 
 
-def _moved(cut: tuple[float, float], edges: tuple[bool, bool], by: float) -> tuple[float, float]:
+def _near_ends(at: float, low: float, high: float) -> Ends:
+    """Which end of a range is near; the nearer one of a narrow range."""
+    nearer = abs(at - low) < abs(high - at)
+    return nearer and abs(at - low) <= _NEAR, not nearer and abs(high - at) <= _NEAR
+
+
+def _moved(cut: tuple[float, float], edges: Ends, by: float) -> tuple[float, float]:
     """What is cut away at both ends of an axis after a move of these edges."""
     low, high = cut
     if all(edges):
