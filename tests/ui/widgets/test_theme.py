@@ -41,14 +41,24 @@ def contrast(one, other):
 
 def test_texts_are_readable_on_every_ground(palette, scheme):
     grounds = [palette.color(role) for role in GROUNDS]
-    own = [theme._RAISED, theme._NOTE, theme._WARNING, theme._ON]
+    own = [
+        theme.COLOURS["raised"],
+        theme.COLOURS["note"],
+        theme.COLOURS["warning"],
+        theme.COLOURS["on"],
+    ]
     text = palette.color(ROLES.Text)
     for ground in (*grounds, palette.color(ROLES.Midlight), *(each[scheme] for each in own)):
         assert contrast(text, ground) >= 4.5
     disabled = palette.color(QPalette.ColorGroup.Disabled, ROLES.WindowText)
-    quiet = [palette.color(ROLES.PlaceholderText), theme._MUTED[scheme], disabled]
+    quiet = [palette.color(ROLES.PlaceholderText), theme.COLOURS["muted"][scheme], disabled]
     for colour, ground in itertools.product(
-        [*quiet, theme._REFUSED[scheme], theme._LINK[scheme], palette.color(ROLES.LinkVisited)],
+        [
+            *quiet,
+            theme.COLOURS["refused"][scheme],
+            theme.COLOURS["link"][scheme],
+            palette.color(ROLES.LinkVisited),
+        ],
         grounds,
     ):
         assert contrast(colour, ground) >= 4.5, (QColor(colour).name(), ground.name())
@@ -66,7 +76,7 @@ def test_texts_over_images_are_readable_on_black_and_white(palette):
 
 def test_rings_and_marks_stand_out(palette, scheme):
     for ground in (palette.color(ROLES.Window), palette.color(ROLES.Base)):
-        assert contrast(theme._LINK[scheme], ground) >= 3
+        assert contrast(theme.COLOURS["link"][scheme], ground) >= 3
         assert contrast(theme._HIGHLIGHT, ground) >= 3
         for mark in resources.path("icons").glob("mark-*.svg"):
             (colour,) = re.findall('fill="(#.*?)"', mark.read_text())
@@ -76,5 +86,5 @@ def test_rings_and_marks_stand_out(palette, scheme):
 def test_a_tool_button_with_the_keyboard_has_a_ring(scheme, qtbot):
     application = QApplication.instance()
     theme.choose(application, scheme)
-    assert f"border: 1px solid {theme._LINK[scheme]}" in application.styleSheet()
+    assert f"border: 1px solid {theme.COLOURS['link'][scheme]}" in application.styleSheet()
     theme.choose(application, "system")

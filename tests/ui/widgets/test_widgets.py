@@ -29,8 +29,8 @@ def contrast(one, other):
 )
 def test_coloured_text_has_enough_contrast(scheme, ground, text):
     """On Fusion's own grounds; 4.5 is what WCAG asks of text."""
-    assert contrast(theme._REFUSED[scheme], ground) >= 4.5
-    for ground_of_message in (theme._WARNING, theme._NOTE):
+    assert contrast(theme.COLOURS["refused"][scheme], ground) >= 4.5
+    for ground_of_message in (theme.COLOURS["warning"], theme.COLOURS["note"]):
         assert contrast(text, ground_of_message[scheme]) >= 7
 
 
@@ -42,8 +42,8 @@ def test_checked_buttons_have_contrast_and_differ_from_unchecked_ones(
     if scheme == "dark":
         application.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Dark)
         application.setPalette(dark_palette())
-        qtbot.waitUntil(lambda: theme._ON["dark"] in application.styleSheet())
-    assert contrast(ink, theme._ON[scheme]) >= 4.5
+        qtbot.waitUntil(lambda: theme.COLOURS["on"]["dark"] in application.styleSheet())
+    assert contrast(ink, theme.COLOURS["on"][scheme]) >= 4.5
     button = QPushButton(checkable=True)
     qtbot.addWidget(button)
     button.resize(80, 30)
