@@ -14,13 +14,7 @@ from ui.panels.entries import RowForm, edited_data
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import later, tr
-from workbench.analysis.manufacture import (
-    Extreme,
-    FaceFigures,
-    Manufacture,
-    Verdict,
-    verdicts,
-)
+from workbench.analysis.manufacture import Extreme, Manufacture, Verdict, verdicts
 from workbench.analysis.shop_limits import Limits
 from workbench.powers import written
 from workbench.scene import Scene
@@ -159,28 +153,17 @@ class ManufactureFigures(RowForm):
 
     def show_found(self, found: Manufacture, unit: str) -> None:
         self._found, self._found_unit = found, unit
-        for key in ("thinnest", "thickest"):
-            self._show_extreme(key, getattr(found, key))
-        self._show_face(found, "", found.thickest.value)
-        if found.entrance is not None:
-            self._show_face(found.entrance, _ENTRANCE, found.thickest.value)
+        for key, label in self.found.items():
+            face = found.entrance if key.startswith(_ENTRANCE) else found
+            figure = getattr(face, key.removeprefix(_ENTRANCE), None)
+            if isinstance(figure, Extreme):
+                label.setText(self._in_words(key, figure.value))
+                label.setToolTip(f"<p>{self._where(key, figure)}</p>")
+            elif figure is not None:
+                label.setText(self._in_words(key, figure))
         self._show_entrance(found.entrance is not None)
         self.show_remark("")
         self._judge()
-
-    def _show_face(self, found: FaceFigures, face: str, thickness: float) -> None:
-        for key in ("steepest", "tightest_concave", "tightest_convex", "tool_radius"):
-            self._show_extreme(f"{face}{key}", getattr(found, key))
-        flat = found.sag_range < _ROUNDING * thickness
-        self.found[f"{face}sag_range"].setText(
-            written(0.0 if flat else found.sag_range, self._found_unit)
-        )
-        self.found[f"{face}draft"].setText(written(found.draft, "°"))
-
-    def _show_extreme(self, key: str, extreme: Extreme) -> None:
-        label = self.found[key]
-        label.setText(self._in_words(key, extreme.value))
-        label.setToolTip(f"<p>{self._where(key, extreme)}</p>")
 
     def show_nothing(self) -> None:
         self._found = None
@@ -239,9 +222,11 @@ class ManufactureFigures(RowForm):
     def _in_words(self, key: str, value: float) -> str:
         if math.isinf(value):
             return tr("none")
-        if key.endswith("steepest"):
+        if key.endswith(("steepest", "draft")):
             return written(0.0 if value < _ROUNDING else value, "°")
-        return written(value, self._found_unit)
+        assert self._found is not None  # or nothing is shown
+        flat = key.endswith("sag_range") and value < _ROUNDING * self._found.thickest.value
+        return written(0.0 if flat else value, self._found_unit)
 
     def _where(self, key: str, extreme: Extreme) -> str:
         if math.isinf(extreme.value):
