@@ -45,7 +45,7 @@ def choose(window: MainWindow, kind: type[Job], picture: str) -> None:
     window.commands["new"].trigger()
     page = window.start_page
     found: list[Prospect] = []
-    page.job.estimated.connect(found.append)
+    page.job.estimate.estimated.connect(found.append)
     page.show_job(kind)
     until(lambda: any(each.picture is not None for each in found), "the estimate")
     settle(500)

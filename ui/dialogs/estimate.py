@@ -1,18 +1,19 @@
 """What can be expected of a job, found in a thread: figures, and the picture as at best."""
 
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from ui.background import Task
+from ui.background import Background, Task
 from ui.panels.editors import Wrapped
 from ui.panels.images import Thumbnail
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
-from ui.words import capitalised, tr
+from ui.words import capitalised, later, tr
 from workbench.files.session import Session
 from workbench.jobs import Job
 from workbench.scene import Scene
@@ -39,10 +40,17 @@ def estimate(job: Job, task: Task) -> None:
 
 
 class EstimateView(QWidget):
-    """Shows the estimate of a job."""
+    """Finds and shows the estimate of a job, and its target before."""
+
+    drawn = Signal(object)  # Session
+    estimated = Signal(object)  # Prospect
+    refused = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
+        self._background = Background(later("estimate"), self)
+        self._background.progressed.connect(self._show)
+        self._background.failed.connect(self._refuse)
         self._aspect = 1.0
         self._scene: Scene | None = None  # of the shown target
         self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
@@ -64,32 +72,44 @@ class EstimateView(QWidget):
         labels = self._side, self._state, self._figures
         return "\n".join(label.text() for label in labels)
 
-    def wait(self) -> None:
-        """Show that figures are computed, and mark the old ones as outdated."""
+    def begin(self, job: Job) -> None:
+        """Estimate a job, and mark the figures of the one before as outdated."""
         self.outdate()
         computing = tr("Computing the estimate…")
         self._state.show_text(f"{computing} {self._state.text()}".strip())
+        self._background.begin(partial(estimate, job))
+
+    def cancel(self) -> None:
+        self._background.cancel()
 
     def outdate(self) -> None:
         self._figures.setEnabled(False)
         self._state.show_text(tr("Outdated figures.") if self._figures.text() else "")
         self._at_best.clear()
 
-    def show_progress(self, part: float) -> None:
-        self._state.show_text(tr("Estimating… {part:.0f} %").format(part=100 * part))
+    def _show(self, _: object, found: "Session | Prospect | float") -> None:
+        if isinstance(found, float):
+            self._state.show_text(tr("Estimating… {part:.0f} %").format(part=100 * found))
+        elif isinstance(found, Session):
+            self._show_target(found)
+            self.drawn.emit(found)
+        else:
+            self._show_prospect(found)
+            self.estimated.emit(found)
 
-    def refuse(self, why: str) -> None:
+    def _refuse(self, why: str) -> None:
         self._figures.clear()
         self._state.show_text(f"\N{WARNING SIGN} {why}")
+        self.refused.emit(why)
 
-    def show_target(self, session: Session) -> None:
+    def _show_target(self, session: Session) -> None:
         scene = self._scene = session.scene
         half_u, half_v = scene.receiver.half_extent
         self._aspect = half_u / half_v
         self._wanted.show_target(as_viewed(scene, session.target), self._aspect)
         self._side.setText(capitalised(tr(side_in_words(scene, viewed_from(scene)))))
 
-    def show_prospect(self, found: "Prospect") -> None:
+    def _show_prospect(self, found: "Prospect") -> None:
         if found.picture is None:
             self._state.show_text(tr("Computing the estimate…"))
         elif self._scene is not None:

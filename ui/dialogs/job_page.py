@@ -2,31 +2,25 @@
 
 import json
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
-from ui.background import Background
 from ui.dialogs.drawing import SideDrawing
-from ui.dialogs.estimate import EstimateView, estimate
+from ui.dialogs.estimate import EstimateView
 from ui.dialogs.job_form import JobForm
 from ui.files.dialogs import FileDialogs
 from ui.panels.editors import Refusal
 from ui.panels.images import image_files
 from ui.panels.scene import light_files
 from ui.widgets.controls import STRETCH, filled, scrolled
-from ui.words import later, tr
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.jobs import Job, side_view
 from workbench.scene.part import title_of
-
-if TYPE_CHECKING:
-    from workbench.jobs.prospect import Prospect
 
 _FORM_WIDE = 400  # pixels
 _OF_FILES = ("target", "file")  # answers that are not remembered
@@ -37,7 +31,6 @@ class JobPage(QWidget):
 
     begun = Signal(object, str)  # Session, str
     left = Signal()
-    estimated = Signal(object)  # Prospect
 
     def __init__(self, dialogs: FileDialogs, settings: QSettings) -> None:
         super().__init__()
@@ -46,8 +39,9 @@ class JobPage(QWidget):
         self._begins = False  # as soon as there is one
         self._obstacle = ""  # why there is none
         self._refusal = Refusal()
-        self._background = Background(later("estimate"), self)
-        self._drawing, self._estimate = SideDrawing(), EstimateView()
+        self._drawing, self.estimate = SideDrawing(), EstimateView()
+        self.estimate.drawn.connect(self._take)
+        self.estimate.refused.connect(self._refuse)
         self.form: JobForm  # of the job that is shown
         self._form = scrolled(QWidget())
         self._form.setFixedWidth(_FORM_WIDE)
@@ -57,10 +51,8 @@ class JobPage(QWidget):
             button.setAutoDefault(True)  # Enter presses the one with the focus
         self._back.clicked.connect(self.left)
         self._begin.clicked.connect(self.begin)
-        self._background.progressed.connect(self._show)
-        self._background.failed.connect(self._refuse)
         aside = QWidget()
-        filled(QVBoxLayout(aside), (self._drawing, 1), self._estimate, margins=0)
+        filled(QVBoxLayout(aside), (self._drawing, 1), self.estimate, margins=0)
         aside_scrolled = scrolled(aside, across=True)
         parts = filled(QHBoxLayout(), self._form, (aside_scrolled, 1), spacing=24)
         buttons = filled(QHBoxLayout(), self._back, STRETCH, self._begin)
@@ -101,7 +93,7 @@ class JobPage(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self._begins = False
-        self._background.cancel()
+        self.estimate.cancel()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -116,24 +108,16 @@ class JobPage(QWidget):
         self._refusal.show_text("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
-            self._background.cancel()
-            self._estimate.outdate()
+            self.estimate.cancel()
+            self.estimate.outdate()
             return
         self._drawing.show_view(side_view(self.form.job.scene()))
-        self._estimate.wait()
-        self._background.begin(partial(estimate, self.form.job))
+        self.estimate.begin(self.form.job)
 
-    def _show(self, _: object, reported: "Session | Prospect | float") -> None:
-        if isinstance(reported, float):
-            self._estimate.show_progress(reported)
-        elif not isinstance(reported, Session):
-            self._estimate.show_prospect(reported)
-            self.estimated.emit(reported)
-        else:
-            self._session = reported
-            self._estimate.show_target(reported)
-            if self._begins:
-                self._end(reported)
+    def _take(self, session: Session) -> None:
+        self._session = session
+        if self._begins:
+            self._end(session)
 
     def _end(self, session: Session) -> None:
         self._begins = False
@@ -144,7 +128,6 @@ class JobPage(QWidget):
 
     def _refuse(self, why: str) -> None:
         self._obstacle = why
-        self._estimate.refuse(why)
         if self._begins:
             self._show_obstacle()
 

@@ -104,7 +104,7 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
 def test_a_picture_that_cannot_be_read_is_stated_and_does_not_begin(window, page, qtbot):
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
-    qtbot.waitUntil(lambda: "none-256.png" in page._estimate.text)
+    qtbot.waitUntil(lambda: "none-256.png" in page.estimate.text)
     assert not page._refusal.isVisible()
     page.begin()
     assert page.isVisible() and window.document.session is before
@@ -139,21 +139,21 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
 def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(start, qtbot):
     start.show_job(Torch)
     page = start.job
-    qtbot.waitUntil(lambda: "Viewed from the side of the light" in page._estimate.text)
+    qtbot.waitUntil(lambda: "Viewed from the side of the light" in page.estimate.text)
     qtbot.waitUntil(lambda: page._session is not None)
     session = page._session
-    picture = page._estimate._wanted._picture
+    picture = page.estimate._wanted._picture
     column, row = np.argwhere(session.target.T > 0.5)[0]  # the leftmost pixel on the receiver
     mirrored = picture.width() - 1 - int(column)
     assert picture.pixelColor(mirrored, int(row)).value() > 180
     row_of(page, "target.viewed_from").chooser.activated.emit(2)
-    qtbot.waitUntil(lambda: "Viewed from behind the screen" in page._estimate.text)
+    qtbot.waitUntil(lambda: "Viewed from behind the screen" in page.estimate.text)
     assert page.form.job.target.viewed_from == "back"
 
 
 def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
-    qtbot.waitUntil(lambda: "Largest slope" in page._estimate.text, timeout=90_000)
-    estimate, label = page._estimate, page._estimate._figures
+    qtbot.waitUntil(lambda: "Largest slope" in page.estimate.text, timeout=90_000)
+    estimate, label = page.estimate, page.estimate._figures
     assert "estimating…" in estimate.text and label.isEnabled()
     row = row_of(page, "distance")
     row.edited.emit(Edit("distance", "distance", {"distance": 700.0}))
