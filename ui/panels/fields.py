@@ -5,13 +5,13 @@ corrected, or reverted with Escape.
 """
 
 from collections.abc import Callable, Mapping, Sequence, Set
+from itertools import count
 from operator import attrgetter
 from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from ui.panels.dragging import Dragging
 from ui.panels.editors import NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, holder_of
 from ui.widgets import theme
@@ -26,6 +26,10 @@ from workbench.scene.paths import value_at
 Changes = dict[str, object]
 Condition = Callable[[Any], bool]
 _INDENT = 10  # logical pixels
+_PART = 1.01  # by which a number grows with each pixel of a drag
+_STEP, _WHOLE_STEP = 0.01, 0.1  # by which 0 does
+_DIGITS, _FINE_DIGITS = 3, 4
+_drags = count()
 
 
 def described(
@@ -156,7 +160,10 @@ class Row(QWidget):
 
 
 class NumberRow(Row):
-    """One or several numbers; where they may be left out, a placeholder shows what counts then."""
+    """One or several numbers; where they may be left out, a placeholder shows what counts then.
+
+    Drags on the label change all numbers but zeros in proportion, the last one if all are zeros.
+    """
 
     _NOTHING: object = None  # the value of an empty field
 
@@ -166,7 +173,11 @@ class NumberRow(Row):
         paths = [f"{path}[{k}]" for k in range(count)] if count > 1 else [path]
         self.editors = {p: NumberEditor(field) for p in paths}
         self._values: dict[str, float] = {}  # of the scene
-        self._dragging = Dragging(self.label, field, lambda: self._values, self._change_numbers)
+        self._drag, self._start = "", dict[str, float]()  # name of the drag, and values before it
+        self.label.allow_drag()
+        self.label.begun.connect(self._begin_drag)
+        self.label.dragged.connect(self._drag_by)
+        self.label.cancelled.connect(lambda: self._put(self._start))
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
                 self._add(QLabel(tr(self.between)), 0)
@@ -201,9 +212,18 @@ class NumberRow(Row):
         value: float | None = value_at(scene, path)
         return value
 
-    def _change_numbers(self, values: Mapping[str, float], drag: str) -> None:
+    def _begin_drag(self) -> None:
+        self._drag, values = f"label {next(_drags)}", self._values
+        changing = [path for path, value in values.items() if value] or list(values)[-1:]
+        self._start = {path: values[path] for path in changing}
+
+    def _drag_by(self, pixels: float) -> None:
+        start = self._start.items()
+        self._put({path: dragged(value, pixels, self.field) for path, value in start})
+
+    def _put(self, values: Mapping[str, float]) -> None:
         if values:
-            self._emit_edit(self.path, {**values}, drag)
+            self._emit_edit(self.path, {**values}, self._drag)
 
     def _stand_ins(self, scene: Any) -> Sequence[float | str]:
         if left_out := self.field.mark(LeftOut):
@@ -311,3 +331,12 @@ class AutoRow(NumberRow):
         self._emit_edit(
             self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]}
         )
+
+
+def dragged(value: float, by: float, field: FieldDescription) -> float:
+    """Return a number of a field after a drag by some pixels."""
+    if field.number is int:
+        return round(field.clamped(value * _PART**by if value else _WHOLE_STEP * by))
+    found = field.times * value * _PART**by if value else _STEP * by
+    digits = _DIGITS if by.is_integer() else _FINE_DIGITS
+    return field.clamped(float(f"{found:.{digits}g}") / field.times)

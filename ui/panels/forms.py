@@ -14,10 +14,10 @@ from ui.panels.images import ImagesPanel, RegionsPanel, TargetPanel, of_image
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.scene import (
     ProcessesPanel,
-    RunPanel,
     ScenePanel,
     StagesPanel,
     of_light_file,
+    parametrisation_rows,
 )
 from ui.words import error_text, tr
 from workbench.errors import Refused
@@ -74,7 +74,7 @@ class Forms(FormArea):
             PartPanel(of_image["receiver"], "images[0].receiver"),
             PartPanel(parts["source"]),
             ElementsPanel(parts["elements"]),
-            RunPanel(parts["run"]),
+            PartPanel(parts["run"], own={"parametrisation": parametrisation_rows}),
             PartPanel(parts["filter"]),
             images,
             regions,

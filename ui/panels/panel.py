@@ -43,7 +43,7 @@ class Panel(Fold):
 
     def __init__(self, title: str, rows: Sequence[Row], level: Level = Level.JOB) -> None:
         super().__init__(title)
-        self._rows: list[Row] = []
+        self.rows: list[Row] = []
         self._level = level
         self._session: Session | None = None
         self._form = form_in(self.body)
@@ -52,10 +52,6 @@ class Panel(Fold):
             section.setParent(self)
             section.hide()
         self._add_rows(rows, title)
-
-    @property
-    def rows(self) -> Sequence[Row]:
-        return self._rows
 
     @property
     def session(self) -> Session:
@@ -101,7 +97,7 @@ class Panel(Fold):
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
             row.asked.connect(self.asked)
-            self._rows.append(row)
+            self.rows.append(row)
 
     def _name_rows(self, rows: Sequence[Row], name: str) -> None:
         for row in rows:
@@ -112,7 +108,7 @@ class Panel(Fold):
     def _remove_rows(self, rows: Sequence[Row]) -> None:
         for row in rows:
             row.blockSignals(True)  # an editor that loses the focus enters its text
-            self._rows.remove(row)
+            self.rows.remove(row)
             self._form_of(row).takeRow(row)
             for widget in (row.label, row):
                 widget.hide()
@@ -120,11 +116,13 @@ class Panel(Fold):
 
 
 class PartPanel(Panel):
-    """Rows generated from the fields of a part."""
+    """Rows generated from the fields of a part; ``own`` makes those of some fields."""
 
-    def __init__(self, field: FieldDescription, path: str = "") -> None:
+    def __init__(
+        self, field: FieldDescription, path: str = "", own: Mapping[str, Make] | None = None
+    ) -> None:
         self.path = path or field.name
-        rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
+        rows, kinds = Rows(lambda: self.session.scene, own), field.mark(Kinds)
         super().__init__(
             tr(field.title),
             rows.of_kinds(field, self.path, kinds.title)
@@ -132,9 +130,6 @@ class PartPanel(Panel):
             else rows.of_part(field.parts[0], self.path),
             field.level,
         )
-
-    def own_rows(self) -> dict[str, Make]:
-        return {}
 
 
 _MOST_SEEN = 6  # parts; more are scrolled to

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QInputDialog, QLabel
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Changes, ChoiceRow, Row, described
-from ui.panels.panel import ListedPanel, Panel, PartPanel
-from ui.panels.rows import Make, Rows, value_row
+from ui.panels.panel import ListedPanel, Panel
+from ui.panels.rows import Rows, value_row
 from ui.words import in_sentence, later, tr
 from workbench.design.net import memory_bytes, parameter_count
 from workbench.levels import Level
@@ -79,29 +79,25 @@ def of_light_file(path: Path, scene: Scene) -> dict[str, object]:
     return source | {"file": str(path.absolute())}
 
 
-class RunPanel(PartPanel):
-    """Bound to ``scene.run``."""
-
-    def own_rows(self) -> dict[str, Make]:
-        return {"parametrisation": lambda field, path: [value_row(field, path), _SizeRow()]}
+def parametrisation_rows(field: FieldDescription, path: str) -> list[Row]:
+    """Return the row of how heights follow from parameters, and the number of these."""
+    return [value_row(field, path), SizeRow()]
 
 
-class _SizeRow(Row):
+class SizeRow(Row):
+    """Number of parameters, and their memory."""
+
     def __init__(self) -> None:
         tip = tr(
             "Number of optimised parameters, and their memory with gradient and optimiser state. "
             "A network that does not fit into memory is refused at the start."
         )
         super().__init__(described(tr("Parameters"), tip, str, Level.EXPERT), "run.parameters")
-        self._text = QLabel()
-        self._add(self._text)
+        self.text = QLabel()
+        self._add(self.text)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        self._text.setText(f"{parameter_count(scene):,} ({as_bytes(memory_bytes(scene))})")
-
-    @property
-    def text(self) -> str:
-        return self._text.text()
+        self.text.setText(f"{parameter_count(scene):,} ({as_bytes(memory_bytes(scene))})")
 
     def _is_there(self, scene: Any) -> bool:
         return True

@@ -35,4 +35,4 @@ def test_the_papers_settings_are_there_with_its_method_alone(forms, document):
 def test_a_choice_shows_its_parameters_and_their_memory(forms, document, kind, size):
     choose(forms, "run.parametrisation", kind)
     assert document.session.scene.run.parametrisation == kind
-    assert row(forms, "run.parameters").text == size
+    assert row(forms, "run.parameters").text.text() == size
