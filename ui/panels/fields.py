@@ -246,24 +246,26 @@ class NumberRow(Row):
 
 
 class ChoiceRow(Row):
-    """A choice, committed at once; ``otherwise`` is the text for no value."""
+    """A choice, committed at once; no value is one where the field has a text for that."""
 
     def __init__(
         self,
         field: FieldDescription,
         path: str,
         choices: Sequence[tuple[str, str]] = (),
-        otherwise: str = "",
         read: Callable[[Any], str] | None = None,
         changes: Callable[[str], Changes | None] | None = None,
     ) -> None:
         super().__init__(field, path)
         choices = choices or [(value, tr(title)) for value, title in field.choices]
-        self._optional = bool(otherwise)
+        left_out = field.mark(LeftOut) if field.optional else None
+        self._optional = left_out is not None
         self._read = read or (lambda scene: str(value_at(scene, path) or ""))
         self._changes = changes or (lambda choice: {path: choice or None})
         self.chooser = Chooser()
-        for value, text in [("", otherwise), *choices] if otherwise else choices:
+        if left_out is not None:
+            self.chooser.addItem(tr(left_out.title), "")
+        for value, text in choices:
             self.chooser.addItem(text, value)
         self._add(self.chooser)
         self.chooser.activated.connect(self._choose)
@@ -272,6 +274,9 @@ class ChoiceRow(Row):
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.chooser.setCurrentIndex(self.chooser.findData(self._read(scene)))
+
+    def _is_there(self, scene: Any) -> bool:
+        return super()._is_there(scene) and (self._optional or bool(self._read(scene)))
 
     def _choose(self, index: int) -> None:
         changes = self._changes(self.chooser.itemData(index))

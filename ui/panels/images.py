@@ -179,10 +179,16 @@ class ImagesPanel(ListedPanel[Image]):
         return made
 
 
+def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
+    tip = f"{tr(field.tip)} {tr('As x, y; x, y; …')}"
+    return [PairsRow(replace(field, tip=tip), path)]
+
+
 class RegionsPanel(ListedPanel[AnyRegion]):
     """Bound to ``scene.regions``."""
 
     _CALLED, _NAMED, _NONE = later("region"), later("Region {number}"), later("None.")
+    _KIND, _OWN = later("Shape"), {"corners": _corner_rows}
 
     def __init__(self, field: FieldDescription) -> None:
         add = {tr("Add"): tr("Add a region in the middle")}
@@ -203,12 +209,3 @@ class RegionsPanel(ListedPanel[AnyRegion]):
         unit = scene.receiver.measure.sign_in(scene.unit)
         size = sized(f"{written(width)} × {written(height)}", unit)
         return f"{part.name}: {in_sentence(tr(title_of(type(part))))}, {size}"
-
-    def rows_of(self, number: int) -> list[Row]:
-        rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})
-        return rows.of_kinds(self._field, f"regions[{number}]", tr("Shape"))
-
-
-def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
-    tip = f"{tr(field.tip)} {tr('As x, y; x, y; …')}"
-    return [PairsRow(replace(field, tip=tip), path)]

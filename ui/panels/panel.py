@@ -147,6 +147,8 @@ class ListedPanel(Panel, Generic[AnyPart]):
     _CALLED = ""  # a part, in the texts of steps
     _NAMED = ""  # a part by its number
     _NONE = ""  # in place of the list
+    _KIND = ""  # label of the row of a part's kind
+    _OWN: Mapping[str, Make] = {}  # rows of some fields
 
     def __init__(
         self, field: FieldDescription, adding: Mapping[str, str], path: str = "", listed: str = ""
@@ -211,9 +213,10 @@ class ListedPanel(Panel, Generic[AnyPart]):
         """Return the title of a part."""
         return tr(self._NAMED).format(number=number + 1)
 
-    @abstractmethod
     def rows_of(self, number: int) -> list[Row]:
-        """Return the rows of a part."""
+        """Return the rows of a part; those of each kind, if parts are of several."""
+        rows = Rows(lambda: self.session.scene, self._OWN)
+        return rows.of_kinds(self._field, f"{self.path}[{number}]", tr(self._KIND))
 
     def copy(self, part: AnyPart) -> AnyPart:
         return part

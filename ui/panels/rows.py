@@ -20,7 +20,7 @@ from ui.words import in_sentence, tr
 from workbench.design.task import LARGEST_PICTURE
 from workbench.levels import Level
 from workbench.scene import FieldDescription, Kinds, Part, Scene
-from workbench.scene.fields import ForMethod, LeftOut, NamesFile
+from workbench.scene.fields import ForMethod, NamesFile
 from workbench.scene.part import summary_of, title_of
 from workbench.scene.paths import value_at
 
@@ -34,11 +34,10 @@ class Rows:
         self,
         task: Callable[[], Scene],
         own: Mapping[str, Make] | None = None,
-        otherwise: str = "",
         stage: str = "",
         place: str = "",
     ) -> None:
-        self._task, self._own, self._otherwise = task, own or {}, otherwise
+        self._task, self._own = task, own or {}
         self._stage, self._place = stage, place
 
     def of_part(self, part: type[Part], path: str) -> list[Row]:
@@ -58,14 +57,8 @@ class Rows:
         kinds = field.mark(Kinds)
         if kinds is None:
             raise TypeError(f"{path} has parts of one kind only")
-        choice = KindRow(
-            path,
-            tr(label or field.title),
-            field,
-            kinds,
-            lambda kind: self._first_of(kinds, kind, path),
-            self._otherwise if field.optional else "",
-        )
+        named = replace(field, title=tr(label or field.title))
+        choice = KindRow(path, named, kinds, lambda kind: self._first_of(kinds, kind, path))
         rows: list[Row] = at_least(kinds.level, [choice])
         for own, having in self.fields_of(field.parts):
             if own.name != kinds.field:
@@ -96,7 +89,7 @@ class Rows:
             return [choice, *rows]
         if field.parts:
             return self.of_part(field.parts[0], path)
-        return [value_row(field, path, self._otherwise)]
+        return [value_row(field, path)]
 
     def _of_member(self, field: FieldDescription, number: int, path: str) -> list[Row]:
         member = field.members[number]
@@ -119,14 +112,10 @@ class Rows:
         return str(own or scene.run.method)
 
 
-def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
+def value_row(field: FieldDescription, path: str) -> Row:
     """The row of a field that holds numbers, a choice, a yes or no, a file's name, or text."""
     if field.choices:
-        if left_out := field.mark(LeftOut):
-            otherwise = tr(left_out.title)
-        optional = field.optional and bool(otherwise)  # else there is no text for no value
-        field = replace(field, optional=optional)
-        return ChoiceRow(field, path, otherwise=otherwise if optional else "")
+        return ChoiceRow(field, path)
     if field.type is bool:
         return CheckRow(field, path)
     if field.mark(NamesFile):
@@ -146,20 +135,17 @@ class KindRow(ChoiceRow):
     def __init__(
         self,
         part: str,
-        label: str,
         field: FieldDescription,
         kinds: Kinds,
         begin: Callable[[type[Part]], Part | None],
-        otherwise: str,
     ) -> None:
         self._part, self._kinds, self._begin = part, kinds, begin
         self._named = {kinds.name_of(kind): kind for kind in field.parts}
         tip = " ".join([tr(field.tip), *map(_sentence, field.parts)])
         super().__init__(
-            described(label, tip),
+            described(field.title, tip, str, *field.marks, optional=field.optional),
             f"{part}.{kinds.field}",
             [(name, tr(title_of(kind))) for name, kind in self._named.items()],
-            otherwise,
             read=self._read_kind,
             changes=self._change,
         )

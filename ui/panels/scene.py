@@ -107,9 +107,6 @@ def _iterations(count: int) -> str:
     return tr("1 iteration") if count == 1 else tr("{count} iterations").format(count=count)
 
 
-_AS_THE_SCENE = later("As the scene")
-
-
 class StagesPanel(ListedPanel[Stage]):
     """Bound to ``scene.run.stages``."""
 
@@ -160,7 +157,6 @@ class StagesPanel(ListedPanel[Stage]):
         rows = Rows(
             lambda: self.session.scene.stage_scenes()[number],
             {"method": self._method_rows},
-            tr(_AS_THE_SCENE),
             path,
         )
         return rows.of_part(Stage, path)
@@ -174,14 +170,14 @@ class StagesPanel(ListedPanel[Stage]):
                 made[rate] = None
             return made
 
-        return [ChoiceRow(field, path, otherwise=tr(_AS_THE_SCENE), changes=changes)]
+        return [ChoiceRow(field, path, changes=changes)]
 
 
 class ProcessesPanel(ListedPanel[Process]):
     """Bound to ``scene.processes``."""
 
     _CALLED, _NAMED = later("process"), later("Process {number}")
-    _NONE = later("None: elements are as designed.")
+    _NONE, _KIND = later("None: elements are as designed."), later("Process")
 
     def __init__(self, field: FieldDescription) -> None:
         super().__init__(
@@ -210,7 +206,3 @@ class ProcessesPanel(ListedPanel[Process]):
 
     def summary(self, part: Process) -> str:
         return tr(title_of(type(part)))
-
-    def rows_of(self, number: int) -> list[Row]:
-        rows = Rows(lambda: self.session.scene)
-        return rows.of_kinds(self._field, f"processes[{number}]", tr("Process"))

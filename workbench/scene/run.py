@@ -11,7 +11,7 @@ from workbench.errors import Refused
 from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
 from workbench.scene.faces import NetSize
-from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, Measure, about
+from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, LeftOut, Measure, about
 from workbench.scene.part import Kinds, Part, Positive
 from workbench.scene.sources import Source
 
@@ -79,6 +79,8 @@ LEARNING_RATES = {"none": 3e-3, "sparse": 1e-3, "dense": 1e-4}
 # number.
 _NETS = {"none": 64, "sparse": 64, "dense": 32}
 
+_AS_THE_SCENE = LeftOut("As the scene")
+
 
 class Stage(Part):
     """A part of the run, before the scene itself is run, with some things different."""
@@ -96,6 +98,7 @@ class Stage(Part):
     method: Annotated[
         Literal["auto", "paper"] | None,
         Choices((("auto", _AUTO), ("paper", _PAPER))),
+        _AS_THE_SCENE,
         about("Method", "How the lens is searched for in this stage."),
     ] = None
     learning_rate: Annotated[
@@ -114,9 +117,12 @@ class Stage(Part):
             "Left empty, they are the lens's.",
         ),
     ] = None
-    source: Annotated[Source | None, about("Source", "Where the light comes from.")] = None
+    source: Annotated[
+        Source | None, _AS_THE_SCENE, about("Source", "Where the light comes from.")
+    ] = None
     filter: Annotated[
         Filter | None,
+        _AS_THE_SCENE,
         about(
             "Image filter",
             "How a ray's light is shared among pixels, by the paper's method and in derivative "
