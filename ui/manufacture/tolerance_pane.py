@@ -34,19 +34,16 @@ class Sample:
     frame: Frame
     within: Tolerances
     wanted: Samples
-    nominal: Perturbed | None = None
-    others: list[Perturbed] = field(default_factory=list)
+    lenses: list[Perturbed] = field(default_factory=list)  # the first is the nominal one
 
     @property
-    def shown(self) -> bool:
-        return bool(self.others)
+    def others(self) -> list[Perturbed]:
+        return self.lenses[1:]
 
-    def add(self, each: Perturbed) -> None:
-        """Add a lens; the first is the nominal one."""
-        if self.nominal is None:
-            self.nominal = each
-        else:
-            self.others.append(each)
+    @property
+    def distribution(self) -> Distribution | None:
+        """Distribution of the error; None before there is a lens beside the nominal one."""
+        return Distribution.of(self.lenses[0], self.others) if self.others else None
 
 
 def trace_sample(sample: Sample, rays: int, task: Task) -> None:
@@ -55,18 +52,13 @@ def trace_sample(sample: Sample, rays: int, task: Task) -> None:
     from workbench.analysis.tolerances import perturbed
 
     session, heights = sample.frame.session, sample.frame.state.heights
-    for each in perturbed(
-        session.scene,
-        session.target,
-        heights,
-        sample.within,
-        sample.wanted.lenses,
-        rays,
-        sample.wanted.seed,
+    count, seed = sample.wanted.lenses, sample.wanted.seed
+    for number, each in enumerate(
+        perturbed(session.scene, session.target, heights, sample.within, count, rays, seed)
     ):
         if task.stopped:
             break
-        task.part = len(sample.others) / sample.wanted.lenses
+        task.part = number / count
         task.report(each)
 
 
@@ -84,7 +76,7 @@ class SpreadView(PlotView):
         self._sample: Sample | None = None
 
     def show_sample(self, sample: Sample) -> None:
-        if sample.shown:
+        if sample.others:
             self._sample = sample
             self.show_frame(sample.frame)
             self._begin_anew()
@@ -112,19 +104,18 @@ class SpreadView(PlotView):
     def figures(self) -> dict[str, Any]:
         """The distribution and each lens, as the command line writes them."""
         sample = self._sample
-        if sample is None or sample.nominal is None:
+        spread = None if sample is None else sample.distribution
+        if sample is None or spread is None:
             return {}  # there is nothing to save yet
-        spread = Distribution.of(sample.nominal, sample.others)
         return spread.to_data() | {"samples": [each.to_data() for each in sample.others]}
 
     def _why_empty(self, frame: Frame | None) -> str:
         return "" if self._sample is not None else tr(self._WAITING)
 
     def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
-        sample = self._sample
-        if sample is not None and sample.nominal is not None:
-            errors = [each.relative_l2 for each in sample.others]
-            draw_errors(axes, sample.nominal.relative_l2, errors)
+        if self._sample is not None:
+            nominal, *errors = (each.relative_l2 for each in self._sample.lenses)
+            draw_errors(axes, nominal, errors)
         return ()
 
     def _change(self, frame: Frame) -> bool:
@@ -203,7 +194,7 @@ class TolerancePane(View):
         self._offer()
 
     def _add_lens(self, sample: Sample, each: Perturbed) -> None:
-        sample.add(each)
+        sample.lenses.append(each)
         self._follow(sample)
 
     def _follow(self, sample: Sample) -> None:
@@ -229,7 +220,7 @@ class TolerancePane(View):
         possible = self._resting and self._frame is not None and not self._of_another
         self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
         self.begin.setEnabled(not self.background.stopping if busy else possible)
-        self.save.setEnabled(sample is not None and sample.shown)
+        self.save.setEnabled(sample is not None and bool(sample.others))
         self.summary.setText(self._figures(busy))
 
     def _figures(self, busy: bool) -> str:
@@ -239,9 +230,9 @@ class TolerancePane(View):
         done = tr("{count} of {wanted} lenses").format(
             count=len(sample.others), wanted=sample.wanted.lenses
         )
-        if sample.nominal is None or not sample.others:
+        spread = sample.distribution
+        if spread is None:
             return f"{done}…"
-        spread = Distribution.of(sample.nominal, sample.others)
         text = tr(
             "{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses "
             "below {most:.2f} %, worst {worst:.2f} %"
