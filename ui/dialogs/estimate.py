@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from ui.background import Background, Task
-from ui.panels.editors import Wrapped
+from ui.panels.editors import Remark
 from ui.panels.images import Thumbnail
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel
@@ -57,7 +57,7 @@ class EstimateView(QWidget):
         self._at_best.setAccessibleName(tr("Best possible image"))
         self._at_best.setToolTip(tr("The source size blurs the image of any lens"))
         self._side = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
-        self._state = Wrapped()
+        self._state = Remark()
         self._figures = WrappedLabel()
         pictures = QHBoxLayout()
         for title, picture in ((tr("Target"), self._wanted), (tr("Best possible"), self._at_best)):

@@ -12,7 +12,7 @@ from ui.dialogs.drawing import SideDrawing
 from ui.dialogs.estimate import EstimateView
 from ui.dialogs.job_form import JobForm
 from ui.files.dialogs import FileDialogs
-from ui.panels.editors import Refusal
+from ui.panels.editors import Remark
 from ui.panels.images import image_files
 from ui.panels.scene import light_files
 from ui.widgets.controls import STRETCH, filled, scrolled
@@ -38,7 +38,7 @@ class JobPage(QWidget):
         self._session: Session | None = None  # of the job as it is now
         self._begins = False  # as soon as there is one
         self._obstacle = ""  # why there is none
-        self._refusal = Refusal()
+        self._refusal = Remark("refusal")
         self._drawing, self.estimate = SideDrawing(), EstimateView()
         self.estimate.drawn.connect(self._take)
         self.estimate.refused.connect(self._refuse)

@@ -1,4 +1,4 @@
-"""Editors of forms, and the labels for refusals."""
+"""Editors of forms, and the labels for remarks and refusals."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent
@@ -69,20 +69,25 @@ class NumberEditor(TextEditor):
 
     def __init__(self, field: FieldDescription) -> None:
         super().__init__()
-        self._measure, self._whole, self._times = field.measure, field.number is int, field.times
+        self._field = field
         seen = "0000" if field.count > 2 else "00000"
         self.setMinimumWidth(self.fontMetrics().horizontalAdvance(seen))
 
     def typed(self, text: str) -> Typed:
-        return Typed(text, self._measure, self._whole, self._times)
+        field = self._field
+        return Typed(text, field.measure, field.number is int, field.times)
 
 
-class Wrapped(WrappedLabel):
-    """Wrapped text that is never cut off: forms ask for its height before they know its width."""
+class Remark(WrappedLabel):
+    """Wrapped text, hidden if empty, that is never cut off.
 
-    def __init__(self) -> None:
-        super().__init__()
-        self.setTextFormat(Qt.TextFormat.PlainText)
+    Forms ask for its height before they know its width.
+    """
+
+    def __init__(self, style: str = "") -> None:
+        super().__init__(textFormat=Qt.TextFormat.PlainText)
+        self.setObjectName(style)
+        self.hide()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -91,19 +96,7 @@ class Wrapped(WrappedLabel):
     def show_text(self, text: str) -> None:
         self.setText(text)
         self._insist()
+        self.setVisible(bool(text))
 
     def _insist(self) -> None:
         self.setMinimumHeight(max(0, self.heightForWidth(self.width())))
-
-
-class Refusal(Wrapped):
-    """Reason of a refusal; hidden if empty."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("refusal")
-        self.hide()
-
-    def show_text(self, text: str) -> None:
-        super().show_text(text)
-        self.setVisible(bool(text))

@@ -12,7 +12,7 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from ui.panels.editors import NumberEditor, Refusal, TextEditor
+from ui.panels.editors import NumberEditor, Remark, TextEditor
 from ui.panels.edits import Edit, holder_of
 from ui.widgets import theme
 from ui.widgets.controls import Chooser, filled
@@ -60,17 +60,12 @@ class Row(QWidget):
         self._unit = QLabel()
         if self.measure == Measure():
             self._unit.hide()
-        self._refusal = Refusal()
+        self._refusal = Remark("refusal")
         self._editors = QHBoxLayout()
         self._editors.addWidget(self._unit)
         filled(QVBoxLayout(self), self._editors, self._refusal, margins=0, spacing=2)
         sentence, *ends = field.bounds(field.times)
         self.explain(f"{tr(field.tip)} {tr(sentence).format(*ends)}".rstrip())
-
-    @property
-    def between(self) -> str:
-        """Text between the numbers; empty for a single one."""
-        return self.field.between if self.field.count > 1 else ""
 
     def explain(self, tip: str) -> None:
         self._tip = tip
@@ -165,8 +160,6 @@ class NumberRow(Row):
     Drags on the label change all numbers but zeros in proportion, the last one if all are zeros.
     """
 
-    _NOTHING: object = None  # the value of an empty field
-
     def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__(field, path)
         count = field.count
@@ -180,7 +173,7 @@ class NumberRow(Row):
         self.label.cancelled.connect(lambda: self._put(self._start))
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
-                self._add(QLabel(tr(self.between)), 0)
+                self._add(QLabel(tr(self.field.between)), 0)
             if count > 1:
                 editor.setAccessibleName(
                     tr("{label}, {number} of {count}").format(
@@ -193,7 +186,7 @@ class NumberRow(Row):
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         super().show_scene(scene, pending)
-        values = {path: self._value(scene, path) for path in self.editors}
+        values = {path: value_at(scene, path) for path in self.editors}
         self._values = {path: value for path, value in values.items() if value is not None}
         for (path, editor), value in zip(self.editors.items(), values.values(), strict=True):
             if not pending & {path, self.path}:
@@ -207,10 +200,6 @@ class NumberRow(Row):
     @property
     def _may_be_empty(self) -> bool:
         return self.field.optional or self.field.auto
-
-    def _value(self, scene: Any, path: str) -> float | None:
-        value: float | None = value_at(scene, path)
-        return value
 
     def _begin_drag(self) -> None:
         self._drag, values = f"label {next(_drags)}", self._values
@@ -237,7 +226,7 @@ class NumberRow(Row):
     def _commit(self, path: str, text: str) -> None:
         texts = [editor.text().strip() for editor in self.editors.values()]
         if self._may_be_empty and not text.strip():
-            self._emit_edit(self.path, {self.path: self._NOTHING})
+            self._emit_edit(self.path, {self.path: AUTO if self.field.auto else None})
         elif self.field.count == 1 or not self._may_be_empty or (self._values and all(texts)):
             self._emit_edit(path, {path: self.editors[path].typed(text)})
         else:  # a number alone counts for both
@@ -304,8 +293,6 @@ class CheckRow(Row):
 class AutoRow(NumberRow):
     """Numbers, or a tick for automatic; typing clears the tick, an empty field sets it."""
 
-    _NOTHING = AUTO
-
     def __init__(self, field: FieldDescription, path: str) -> None:
         super().__init__(field, path)
         self.box = QCheckBox(tr("Auto"))
@@ -313,21 +300,17 @@ class AutoRow(NumberRow):
         self.box.setToolTip(self.toolTip())
         self._editors.addWidget(self.box)
         self._shape: tuple[int, ...] | None = None  # what counts now
-        self._auto = False
         self.box.clicked.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         value = value_at(scene, self.path)
-        self._auto = auto = isinstance(value, AutoNet)
+        auto = isinstance(value, AutoNet)
         # An entrance face takes what the exit face has.
         self._shape = (value.shape or scene.optic.known_shape) if auto else value
         super().show_scene(scene, pending)
         self._unit.hide()  # what was chosen stands in the fields
         if self.path not in pending:
             self.box.setChecked(auto)
-
-    def _value(self, scene: Any, path: str) -> float | None:
-        return None if self._auto else super()._value(scene, path)
 
     def _stand_ins(self, scene: Any) -> Sequence[float | str]:
         return self._shape or (tr("auto"),) * len(self.editors)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.panels.editors import Wrapped
+from ui.panels.editors import Remark
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows, at_least
@@ -157,7 +157,7 @@ class ListedPanel(Panel, Generic[AnyPart]):
         self._parts: tuple[AnyPart, ...] = ()
         self._bound = -1  # the part whose rows are there
         self._called = ""  # in their names
-        self._list, self._rest = QListWidget(), Wrapped()
+        self._list, self._rest = QListWidget(), Remark()
         self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         adders = [
@@ -264,7 +264,6 @@ class ListedPanel(Panel, Generic[AnyPart]):
             frame = 2 * self._list.frameWidth()
             self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
         self._rest.show_text(remark)
-        self._rest.setVisible(bool(remark))
         self._list.setVisible(bool(parts))
         last = len(parts) - 1
         for button in self._of_chosen:

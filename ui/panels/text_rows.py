@@ -68,9 +68,7 @@ class PairsRow(TextRow):
 
     def value_of(self, text: str) -> object:
         """The pairs; the text itself where it has others, which the scene refuses."""
-        if self.field.optional and not text.strip():
-            return None
         try:
             return [[float(number) for number in pair.split(",")] for pair in text.split(";")]
         except ValueError:
-            return text
+            return super().value_of(text)

@@ -131,10 +131,9 @@ class DragLabel(QLabel):
     dragged = Signal(float)  # pixels from where the drag began, fewer with Shift
     cancelled = Signal()
 
-    def __init__(self, text: str) -> None:
-        super().__init__(text)
-        self._last: float | None = None  # where the pointer was, while the button is down
-        self._gone, self._moving = 0.0, False
+    # Of the class: Qt still sends events to a label whose own attributes Python has cleared.
+    _last: float | None = None  # where the pointer was, while the button is down
+    _gone, _moving = 0.0, False
 
     def allow_drag(self) -> None:
         self.setCursor(Qt.CursorShape.SizeHorCursor)
