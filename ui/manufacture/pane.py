@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction
 
 from ui.background import Background, Task
@@ -100,24 +100,21 @@ class _Found(NamedTuple):
 class ManufacturePane(ComputingView):
     """Map, figures and limits of the shown lens, and buttons for commands that make the part."""
 
-    limits_changed = Signal(object)  # Limits
-
     def __init__(self, settings: QSettings, commands: Sequence[QAction]) -> None:
         super().__init__()
-        self.map, self._figures = FaceMap(), ManufactureFigures(settings)
-        figures = self._figures
-        self._box.addWidget(SideBySide(self.map, figures, [command_button(c) for c in commands]))
+        self.map, self.figures = FaceMap(), ManufactureFigures(settings)
+        buttons = [command_button(command) for command in commands]
+        self._box.addWidget(SideBySide(self.map, self.figures, buttons))
         self.setFocusProxy(self.map)
         self._found: _Found | None = None
         self.background = Background(later("analysis of the face"), self)
         self.background.done.connect(self._store_found)
-        self.background.failed.connect(figures.show_remark)
-        figures.limits_changed.connect(self.map.show_limits)
-        figures.limits_changed.connect(self.limits_changed)
+        self.background.failed.connect(self.figures.show_remark)
+        self.figures.limits_changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
     def show_design(self, session: Session) -> None:
-        self._figures.show_scene(session.scene)
+        self.figures.show_scene(session.scene)
         self.map.show_design(session)
         super().show_design(session)
 
@@ -125,15 +122,15 @@ class ManufacturePane(ComputingView):
         self._found = None
         super().show_nothing(session)
         self.map.show_nothing(session)
-        self._figures.show_nothing()
-        self._figures.show_remark("")
+        self.figures.show_nothing()
+        self.figures.show_remark("")
 
     def _want(self) -> None:
         self._show_veil()
         if self._frame is None:
             return
         outdated = self._is_behind()
-        self._figures.show_remark(
+        self.figures.show_remark(
             tr("Outdated; recomputed when the design rests.") if outdated else ""
         )
         if not self._known and self._seen():
@@ -168,7 +165,7 @@ class ManufacturePane(ComputingView):
                 figures[optic.name] = finished(steps, task.report)
             return _Found(frame, figures, maps)
 
-        self._figures.show_remark(tr("Computing the figures…"))
+        self.figures.show_remark(tr("Computing the figures…"))
         self.background.begin(work, title=tr("Analysis of the face"))
 
     def _store_found(self, _: None, found: _Found) -> None:
@@ -184,4 +181,4 @@ class ManufacturePane(ComputingView):
         if self._found is not None:
             scene = self._found.frame.session.scene
             name = scene.focused_on(self.map.faces.face).optic.name
-            self._figures.show_found(self._found.figures[name], scene.unit)
+            self.figures.show_found(self._found.figures[name], scene.unit)

@@ -291,7 +291,7 @@ class Forms(FormArea):
             if not (has_place(session.scene, waiting.edit) and row_of(path, present)):
                 del self._pending[path]
         for panel in self.panels:
-            panel.show_session(session, set(present), self._pending.keys())
+            panel.show_values(set(present), self._pending.keys())
         reasons = self._entries.reasons(present)
         self.show_rows(present, reasons.keys())
         edited = [row for path in self._pending if (row := row_of(path, present)) is not None]

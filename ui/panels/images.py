@@ -1,6 +1,6 @@
 """Target of the first image, the list of all images, and the list of regions."""
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -79,8 +79,8 @@ class TargetPanel(PartPanel):
         self._form.insertRow(0, self._tools)
         self._form.insertRow(0, self._thumbnail)
 
-    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        super().show_session(session, present, pending)
+    def prepare(self, session: Session) -> None:
+        super().prepare(session)
         r_u, r_v = session.scene.receiver.half_extent
         self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
         self._form.setRowVisible(self._tools, session.scene.target.file is not None)

@@ -40,12 +40,12 @@ class Panel(Fold):
     edited = Signal(object)
     reverted = Signal(object)
     asked = Signal(str)
+    session: Session  # from `prepare` on, before anything can be edited
 
     def __init__(self, title: str, rows: Sequence[Row], level: Level = Level.JOB) -> None:
         super().__init__(title)
         self.rows: list[Row] = []
         self._level = level
-        self._session: Session | None = None
         self._form = form_in(self.body)
         self.deeper = {each: Section(title) for each in (Level.LIMITS, Level.EXPERT)}
         for section in self.deeper.values():
@@ -53,19 +53,15 @@ class Panel(Fold):
             section.hide()
         self._add_rows(rows, title)
 
-    @property
-    def session(self) -> Session:
-        assert self._session is not None  # shown before anything can be edited
-        return self._session
-
     def prepare(self, session: Session) -> None:
         """Make the rows that a session needs."""
+        self.session = session
 
-    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        self._session = session
+    def show_values(self, present: Set[Row], pending: Set[str]) -> None:
+        """Show the values of the session, except refused edits."""
         for row in self.rows:
             if row in present:
-                row.show_scene(session.scene, pending)
+                row.show_scene(self.session.scene, pending)
             else:
                 row.forget()  # before it is hidden, which enters what is typed
 
@@ -187,7 +183,7 @@ class ListedPanel(Panel, Generic[AnyPart]):
         return self._list.currentRow()
 
     def prepare(self, session: Session) -> None:
-        self._session = session
+        super().prepare(session)
         parts: tuple[AnyPart, ...] = value_at(session.scene, self.path)
         self._show_parts(parts, self.remark(session.scene) if parts else tr(self._NONE))
         self.note(f"{len(parts)}" if parts else "")

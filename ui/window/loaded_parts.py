@@ -89,7 +89,7 @@ class LoadedParts(QObject):
         self._connect_follow(settings)
         self.runs.refused.connect(messages.warn)
         self.tools.message.connect(messages.note)
-        self.manufacture.limits_changed.connect(views.shared.slot("limits"))
+        self.manufacture.figures.limits_changed.connect(views.shared.slot("limits"))
         self.tolerances.failed.connect(messages.warn)
         self.tolerances.save_asked.connect(partial(self.plots.choose_and_save_plot, "tolerances"))
 

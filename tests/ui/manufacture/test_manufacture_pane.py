@@ -36,11 +36,11 @@ def pane(settings, session, bowl, show, qtbot):
 
 def enter(pane, qtbot, name, text):
     """Type a limit."""
-    return fill(qtbot, pane._figures.row(name).editors[name], text)
+    return fill(qtbot, pane.figures.row(name).editors[name], text)
 
 
 def states(pane):
-    return {key: label.text() for key, label in pane._figures.states.items()}
+    return {key: label.text() for key, label in pane.figures.states.items()}
 
 
 def legend(pane):
@@ -51,9 +51,9 @@ def test_a_map_shows_all_limits_and_the_3d_view_hears_of_them(pane, qtbot):
     pane.map.chooser.setCurrentIndex(MAPS.index("Limits"))
     qtbot.waitUntil(lambda: pane.map._canvas.figure.axes[0].get_legend() is not None)
     assert legend(pane) == ["Within limits (100 %)"]
-    with qtbot.waitSignal(pane.limits_changed) as caught:
+    with qtbot.waitSignal(pane.figures.limits_changed) as caught:
         enter(pane, qtbot, "max_slope", "5")
-    assert caught.args == [pane._figures.limits] and pane._figures.limits.max_slope == 5
+    assert caught.args == [pane.figures.limits] and pane.figures.limits.max_slope == 5
     qtbot.waitUntil(lambda: len(legend(pane)) == 2 and hatched(pane))
     slope = pane._found.maps["lens.back"].slope
     assert legend(pane)[1] == f"Slope ({100 * (slope > 5).mean():.2g} %)"
@@ -67,7 +67,7 @@ def hatched(pane):
 def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     frame = bowl(0.2)
     found = manufacture(session.scene.optic, frame.state.heights)
-    figures = pane._figures.found.items()
+    figures = pane.figures.found.items()
     texts = {key: label.text() for key, label in figures if label.isVisibleTo(pane)}
     assert texts == {
         "thinnest": f"{found.thinnest.value:.4g} cm",
@@ -79,11 +79,11 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
         "sag_range": f"{found.sag_range:.4g} cm",
         "draft": f"{found.draft:.4g}°",
     }
-    assert "At x = " in pane._figures.found["steepest"].toolTip()
+    assert "At x = " in pane.figures.found["steepest"].toolTip()
 
 
 def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
-    own = pane._figures.limits.min_thickness
+    own = pane.figures.limits.min_thickness
     assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless stated
     assert not any(text for key, text in states(pane).items() if key != "thinnest")
     enter(pane, qtbot, "max_slope", "5")
@@ -105,20 +105,20 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
 def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, qtbot):
     pane.allow(resting=False)
     pane.show_frame(bowl(0.1))
-    assert "Outdated" in pane._figures.note.text()
-    assert not pane._figures.found["steepest"].isEnabled()
+    assert "Outdated" in pane.figures.note.text()
+    assert not pane.figures.found["steepest"].isEnabled()
     qtbot.wait(400)
-    before = pane._figures.found["steepest"].text()
+    before = pane.figures.found["steepest"].text()
     assert not pane.background.busy and not pane._rest.isActive()
     notes, parts = [], []
-    pane.background.progressed.connect(lambda *_: notes.append(pane._figures.note.text()))
+    pane.background.progressed.connect(lambda *_: notes.append(pane.figures.note.text()))
     pane.background.changed.connect(lambda task: parts.append(task.part))
     pane.allow(resting=True)
-    qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before)
+    qtbot.waitUntil(lambda: pane.figures.found["steepest"].text() != before)
     assert set(notes) == {"Computing the figures…"}
     known = parts[1:-1]  # the first ones may be over before anybody asks
     assert parts[0] is None and known == sorted(known) and parts[-1] == pytest.approx(1.0)
-    assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
+    assert pane.figures.note.text() == "" and pane.figures.found["steepest"].isEnabled()
 
 
 def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, frames, qtbot):
@@ -128,7 +128,7 @@ def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, fr
     heights = FaceArrays({"lens.front": bowl, "lens.back": 0.6 - 2 * bowl})
     pane.show_design(session)
     pane.show_frame(frames(1, session, heights=heights))
-    found = pane._figures.found
+    found = pane.figures.found
     qtbot.waitUntil(lambda: found["entrance steepest"].isVisibleTo(pane))
     figures = manufacture(session.scene.optic, heights)
     assert found["steepest"].text() == f"{figures.steepest.value:.4g}°"
