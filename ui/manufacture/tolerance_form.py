@@ -69,13 +69,12 @@ class ToleranceForm(RowForm):
     def show_scene(self, scene: Scene) -> None:
         """Use the unit of a design, and default lengths for another lens size."""
         before, self._scene = self._scene, scene
-        width = 2 * max(scene.optic.half_width)
-        former: tuple[float, ...] = () if before is None else before.optic.half_width
-        if before is not None and before.unit != scene.unit:
-            # Not the scene: a file of heights holds it to its unit.
+        width, former = 2 * max(scene.optic.half_width), tuple[float, ...]()
+        if before is not None:
+            # Not the scene is converted: a file of heights holds it to its unit.
             factor = ratio(before.unit, scene.unit)
+            former = tuple(times(r, factor) for r in before.optic.half_width)
             self._convert(factor)
-            former, before = tuple(times(r, factor) for r in former), None
         if former != scene.optic.half_width:
             self._data = {
                 **{name: [0.0, _SCALE * width] if name in PAIRS else 0.0 for name in ABOUT},

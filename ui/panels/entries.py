@@ -47,12 +47,26 @@ class Entries:
             self.waiting[edit.path] = Waiting(edit, refused)
         return refused
 
-    def reasons(self, present: Sequence[Row]) -> dict[Row, str]:
+    def show(self, whole: Any, rows: Iterable[Row], present: Sequence[Row]) -> dict[Row, str]:
+        """Show the values of a whole, and refused entries as typed with their reasons."""
+        reasons, shown = self._reasons(present), set(present)
+        for row in rows:
+            if row in shown:
+                row.show_scene(whole, self.waiting.keys())
+            else:
+                row.forget()  # before it is hidden, which enters what is typed
+            row.refuse(reasons.get(row, ""))
+        return reasons
+
+    def _reasons(self, present: Sequence[Row]) -> dict[Row, str]:
         """Return why entries are refused, for the rows of edits and those that are to blame."""
         reasons: dict[Row, str] = {}
         for path, waiting in self.waiting.items():
             refused, edited = row_of(waiting.refused.path, present), row_of(path, present)
-            reason = reason_at(waiting.refused.reason, refused)
+            reason = waiting.refused.reason
+            if refused is not None and isinstance(reason, Message):
+                reason = reason.times(refused.field.times)  # as the row shows its numbers
+            reason = tr(reason)
             if refused is not None:
                 reasons[refused] = reason
             if edited is not None and edited is not refused:
@@ -71,13 +85,6 @@ class Entries:
 def row_of(path: str, rows: Sequence[Row]) -> Row | None:
     """Return the last row of a path, which holds the value."""
     return next((row for row in reversed(rows) if row.concerns(path)), None)
-
-
-def reason_at(reason: str, row: Row | None) -> str:
-    """Return a translated reason with the numbers of the refused field as its row shows them."""
-    if row is not None and isinstance(reason, Message):
-        reason = reason.times(row.field.times)
-    return tr(reason)
 
 
 def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
@@ -138,15 +145,10 @@ class RowForm(QWidget):
         """Show the whole, and refused entries as typed."""
         whole = self._whole()
         present = [row for row in self.rows if row.present(whole)]
-        reasons = self._entries.reasons(present)
+        self._entries.show(whole, self.rows, present)
         for row in self.rows:
-            if row in present:
-                row.show_scene(whole, self._entries.waiting.keys())
-            else:
-                row.forget()
             for part in (row, row.label):
                 part.setVisible(row in present)
-            row.refuse(reasons.get(row, ""))
 
     def _show_change(self) -> None:
         self.show_rows()

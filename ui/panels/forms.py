@@ -290,15 +290,10 @@ class Forms(FormArea):
         for path, waiting in list(self._pending.items()):
             if not (has_place(session.scene, waiting.edit) and row_of(path, present)):
                 del self._pending[path]
-        for panel in self.panels:
-            panel.show_values(set(present), self._pending.keys())
-        reasons = self._entries.reasons(present)
+        reasons = self._entries.show(session.scene, self._rows(), present)
         self.show_rows(present, reasons.keys())
         edited = [row for path in self._pending if (row := row_of(path, present)) is not None]
         refusals = [f"{row.name}: {reasons[row]}" for row in edited]
-        for panel in self.panels:
-            for row in panel.rows:
-                row.refuse(reasons.get(row, ""))
         if tuple(refusals) != self.refusals:
             self.refusals = tuple(refusals)
             self._escape.setEnabled(bool(refusals))

@@ -57,14 +57,6 @@ class Panel(Fold):
         """Make the rows that a session needs."""
         self.session = session
 
-    def show_values(self, present: Set[Row], pending: Set[str]) -> None:
-        """Show the values of the session, except refused edits."""
-        for row in self.rows:
-            if row in present:
-                row.show_scene(self.session.scene, pending)
-            else:
-                row.forget()  # before it is hidden, which enters what is typed
-
     def show_rows(self, shown: Set[Row]) -> None:
         """Show some rows, and no heading without any."""
         for row in self.rows:

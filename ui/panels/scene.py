@@ -36,15 +36,11 @@ class ScenePanel(Panel):
     """Bound to what concerns the whole scene."""
 
     def __init__(self) -> None:
-        rows = Rows(lambda: self.session.scene, {"unit": _unit_rows})
+        rows = Rows(lambda: self.session.scene, {"unit": lambda *of: [_UnitRow(*of)]})
         fields = [field for field in Scene.fields() if field.tip and not field.parts]
         super().__init__(
             tr("Scene"), [row for field in fields for row in rows.of_field(field, field.name)]
         )
-
-
-def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
-    return [_UnitRow(field, path)]
 
 
 class _UnitRow(ChoiceRow):
