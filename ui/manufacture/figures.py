@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from ui.manufacture.option_fields import keep_options, kept_options, option_row
 from ui.panels.editors import NumberEditor
-from ui.panels.edits import Edit
-from ui.panels.entries import RowForm, edited_data
+from ui.panels.entries import DataForm
 from ui.widgets.controls import filled
 from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import later, tr
@@ -71,7 +70,7 @@ _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thickn
 _NAME, _FOUND, _SIGN, _LIMIT = range(4)
 
 
-class ManufactureFigures(RowForm):
+class ManufactureFigures(DataForm):
     """A table of figures beside fields of their limits, with each verdict below its figure.
 
     An empty field means the limit of the design.
@@ -81,7 +80,7 @@ class ManufactureFigures(RowForm):
 
     def __init__(self, settings: QSettings) -> None:
         rows = [option_row(limit, about, None) for limit, about in Limits.about()]
-        super().__init__(rows, self._data, self._enter)
+        super().__init__(rows, {"unit": "", **asdict(Limits())}, self._keep)
         self._editors = {each.path: each.findChildren(NumberEditor)[0] for each in rows}
         for limit, about in Limits.about():
             self.row(limit).explain(f"{tr(about.tip)}. {tr(_HINT)}")
@@ -89,7 +88,7 @@ class ManufactureFigures(RowForm):
             self._editors[limit].setAccessibleName(label)
         self.changed.connect(self._show_limits)
         self._settings = settings
-        self._unit, self._own, self._kept = "", Limits(), Limits()
+        self._own = Limits()  # of the design
         self._found: Manufacture | None = None
         self._found_unit = ""
         self._grid = grid = QGridLayout(self)
@@ -127,22 +126,19 @@ class ManufactureFigures(RowForm):
 
     @property
     def limits(self) -> Limits:
-        kept = {name: value for name, value in asdict(self._kept).items() if value is not None}
-        return Limits.of(asdict(self._own) | kept)
+        stated = {name: value for name, value in self.data.items() if value is not None}
+        return Limits.of(asdict(self._own) | stated)
 
     def show_scene(self, scene: Scene) -> None:
-        if self._unit != scene.unit:
-            self._unit, self._kept = scene.unit, kept_options(self._settings, scene.unit, Limits)
+        if self.data["unit"] != scene.unit:
+            kept = kept_options(self._settings, scene.unit, Limits)
+            self.data = {"unit": scene.unit, **asdict(kept)}
             self.forget()
         self._own = Limits.asked(scene, scene.optic)
         self._show_change()
 
-    def _data(self) -> dict[str, Any]:
-        return {"unit": self._unit, **asdict(self._kept)}
-
-    def _enter(self, edits: list[Edit]) -> None:
-        self._kept = Limits.of(edited_data(self._data(), edits))
-        keep_options(self._settings, self._unit, self._kept)
+    def _keep(self, data: dict[str, Any]) -> None:
+        keep_options(self._settings, data["unit"], Limits.of(data))
 
     def _show_limits(self) -> None:
         for name, value in asdict(self._own).items():

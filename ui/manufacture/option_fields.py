@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.background import Background, Work
 from ui.panels.edits import Edit
-from ui.panels.entries import RowForm, edited_data
+from ui.panels.entries import DataForm
 from ui.panels.fields import Row, described
 from ui.panels.rows import value_row
 from ui.widgets.controls import filled
@@ -29,13 +29,13 @@ _MEASURES = {LENGTH: OF_SCENE, DEGREES: ANGLE, PERCENT: Measure("%", "percent")}
 _COLUMN, _LETTERS = 12, 46  # rows of a column, and letters across it
 
 
-class OptionFields(RowForm, Generic[Group]):
+class OptionFields(DataForm, Generic[Group]):
     """A field for each option of a group."""
 
     def __init__(self, unit: str, begin_with: Group) -> None:
         self._group, self._usual = type(begin_with), type(begin_with)()
-        self._data = {"unit": unit, **asdict(begin_with)}
-        super().__init__(self._made(), lambda: self._data, self._enter)
+        data = {"unit": unit, **asdict(begin_with)}
+        super().__init__(self._made(), data, self._group.of)
         for row in self.rows:
             row.reserve_unit(FEED)
         columns = filled(QHBoxLayout(self), margins=0, spacing=24)
@@ -47,16 +47,11 @@ class OptionFields(RowForm, Generic[Group]):
 
     @property
     def options(self) -> Group:
-        return self._group.of(self._data)
+        return self._group.of(self.data)
 
     def enter(self, **values: object) -> None:
         name = next(iter(values))
         self.edit(Edit(name, name, values))
-
-    def _enter(self, edits: list[Edit]) -> None:
-        data = edited_data(self._data, edits)
-        self._group.of(data)
-        self._data = data
 
     def _made(self) -> Iterator[Row]:
         for name, about in self._group.about():

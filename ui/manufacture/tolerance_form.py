@@ -7,8 +7,7 @@ from typing import Any
 
 from PySide6.QtWidgets import QGridLayout
 
-from ui.panels.edits import Edit
-from ui.panels.entries import RowForm, edited_data
+from ui.panels.entries import DataForm
 from ui.panels.fields import NumberRow, Row, described
 from ui.words import later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
@@ -41,13 +40,12 @@ class Samples(OptionGroup):
 _DECENTRE, _SCALE = 0.005, 0.1
 
 
-class ToleranceForm(RowForm):
+class ToleranceForm(DataForm):
     """Tolerances, number of lenses and seed, with refusals beside the fields."""
 
     def __init__(self) -> None:
-        super().__init__(self._made(), self._whole, self._enter)
+        super().__init__(self._made(), {}, self._check_all)
         self._scene: Scene | None = None
-        self._data: dict[str, Any] = {}
         grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setVerticalSpacing(3)
@@ -60,11 +58,11 @@ class ToleranceForm(RowForm):
 
     @property
     def within(self) -> Tolerances:
-        return self._possible(self._data)
+        return self._possible(self.data)
 
     @property
     def samples(self) -> Samples:
-        return Samples.of(self._data)
+        return Samples.of(self.data)
 
     def show_scene(self, scene: Scene) -> None:
         """Use the unit of a design, and default lengths for another lens size."""
@@ -75,8 +73,10 @@ class ToleranceForm(RowForm):
             factor = ratio(before.unit, scene.unit)
             former = tuple(times(r, factor) for r in before.optic.half_width)
             self._convert(factor)
+            self.data["unit"] = scene.unit
         if former != scene.optic.half_width:
-            self._data = {
+            self.data = {
+                "unit": scene.unit,
                 **{name: [0.0, _SCALE * width] if name in PAIRS else 0.0 for name in ABOUT},
                 "tilt": 0.1,
                 "decentre": _DECENTRE * width,
@@ -96,29 +96,19 @@ class ToleranceForm(RowForm):
 
     def check(self) -> None:
         """Raise `Refused` unless the tolerances are possible for the shown scene."""
-        self._check(self._data)
+        self._check_all(self.data)
 
     def _convert(self, factor: Fraction) -> None:
         for row in self.rows:
             if row.measure.power:
-                value = self._data[row.path]
-                self._data[row.path] = (
+                value = self.data[row.path]
+                self.data[row.path] = (
                     [times(each, factor) for each in value]
                     if isinstance(value, list)
                     else times(value, factor)
                 )
 
-    def _whole(self) -> dict[str, Any]:
-        assert self._scene is not None  # there is one before anything is typed
-        return {"unit": self._scene.unit, **self._data}
-
-    def _enter(self, edits: list[Edit]) -> None:
-        data = edited_data(self._whole(), edits)
-        del data["unit"]
-        self._check(data)
-        self._data = data
-
-    def _check(self, data: dict[str, Any]) -> None:
+    def _check_all(self, data: dict[str, Any]) -> None:
         """Raise `Refused` with the path of a value that is not possible."""
         assert self._scene is not None  # there is one before anything is typed
         Samples.of(data)

@@ -87,14 +87,6 @@ def row_of(path: str, rows: Sequence[Row]) -> Row | None:
     return next((row for row in reversed(rows) if row.concerns(path)), None)
 
 
-def edited_data(data: dict[str, Any], edits: Iterable[Edit]) -> dict[str, Any]:
-    """Return plain data after some edits."""
-    edited = deepcopy(data)
-    for edit in edits:
-        put(edit, edited)
-    return edited
-
-
 _GAP = 5  # pixels between rows
 
 
@@ -157,3 +149,20 @@ class RowForm(QWidget):
     def _revert(self, path: str) -> None:
         self._entries.waiting.pop(path, None)
         self._show_change()
+
+
+class DataForm(RowForm):
+    """Rows that edit plain data with a unit; ``check`` raises `Refused` where they are wrong."""
+
+    def __init__(
+        self, rows: Iterable[Row], data: dict[str, Any], check: Callable[[dict[str, Any]], object]
+    ) -> None:
+        super().__init__(rows, lambda: self.data, self._enter)
+        self.data, self._check = data, check
+
+    def _enter(self, edits: list[Edit]) -> None:
+        data = deepcopy(self.data)
+        for edit in edits:
+            put(edit, data)
+        self._check(data)
+        self.data = data
