@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction
 
-from ui.background import Background, Task
-from ui.document.frame import Frame, same_light
+from ui.background import Task
+from ui.document.frame import Frame
 from ui.manufacture.figures import ManufactureFigures
 from ui.views.surface_view import FaceMapView
-from ui.views.view import ComputingView
+from ui.views.view import ComputingView, Request
 from ui.widgets.controls import SideBySide, command_button
 from ui.words import later, tr
 from workbench.analysis.manufacture import (
@@ -92,7 +92,6 @@ class FaceMap(FaceMapView):
 
 
 class _Found(NamedTuple):
-    frame: Frame
     figures: dict[str, Manufacture]  # by the names of elements
     maps: dict[str, SurfaceMaps]
 
@@ -100,16 +99,16 @@ class _Found(NamedTuple):
 class ManufacturePane(ComputingView):
     """Map, figures and limits of the shown lens, and buttons for commands that make the part."""
 
+    _WORK, _TITLE = later("analysis of the face"), later("Analysis of the face")
+
+    _answer: _Found | None
+
     def __init__(self, settings: QSettings, commands: Sequence[QAction]) -> None:
         super().__init__()
         self.map, self.figures = FaceMap(), ManufactureFigures(settings)
         buttons = [command_button(command) for command in commands]
         self._box.addWidget(SideBySide(self.map, self.figures, buttons))
         self.setFocusProxy(self.map)
-        self._found: _Found | None = None
-        self.background = Background(later("analysis of the face"), self)
-        self.background.done.connect(self._store_found)
-        self.background.failed.connect(self.figures.show_remark)
         self.figures.limits_changed.connect(self.map.show_limits)
         self.map.faces.currentIndexChanged.connect(self._show_figures)
 
@@ -119,66 +118,47 @@ class ManufacturePane(ComputingView):
         super().show_design(session)
 
     def show_nothing(self, session: Session) -> None:
-        self._found = None
         super().show_nothing(session)
         self.map.show_nothing(session)
         self.figures.show_nothing()
         self.figures.show_remark("")
 
-    def _want(self) -> None:
-        self._show_veil()
-        if self._frame is None:
-            return
-        outdated = self._is_behind()
-        self.figures.show_remark(
-            tr("Outdated; recomputed when the design rests.") if outdated else ""
-        )
-        if not self._known and self._seen():
-            self._compute_soon()
-
-    @property
-    def _known(self) -> bool:
-        frame, found = self._frame, self._found
-        return frame is not None and found is not None and same_light(found.frame, frame)
-
-    def _is_behind(self) -> bool:
-        return self._found is not None and not self._known
-
     def _compute(self) -> None:
-        frame = self._frame
         # One behind another tab is not hidden, but nothing of it is seen.
-        if frame is None or self.background.busy or self.visibleRegion().isEmpty():
-            return
-        optics, heights = frame.session.scene.optics, frame.state.heights
+        if not self.visibleRegion().isEmpty():
+            super()._compute()
 
-        def work(task: Task) -> _Found:
-            maps = {
-                face: surface_maps(optic, heights, even_counts(optic.half_width, _PLACES), face)
-                for optic in optics
-                for face in freeform_nets(optic)
-            }
-            figures = {}
-            for number, optic in enumerate(optics):
-                steps = within(
-                    manufacturing(optic, heights), partial(of_equal, len(optics), number)
-                )
-                figures[optic.name] = finished(steps, task.report)
-            return _Found(frame, figures, maps)
+    @staticmethod
+    def _work(request: Request, task: Task) -> _Found:
+        optics, heights = request.frame.session.scene.optics, request.frame.state.heights
+        maps = {
+            face: surface_maps(optic, heights, even_counts(optic.half_width, _PLACES), face)
+            for optic in optics
+            for face in freeform_nets(optic)
+        }
+        figures = {}
+        for number, optic in enumerate(optics):
+            steps = within(manufacturing(optic, heights), partial(of_equal, len(optics), number))
+            figures[optic.name] = finished(steps, task.report)
+        return _Found(figures, maps)
 
-        self.figures.show_remark(tr("Computing the figures…"))
-        self.background.begin(work, title=tr("Analysis of the face"))
+    def _store(self, request: Request, answer: _Found) -> None:
+        super()._store(request, answer)
+        self.map.show_maps(request.frame, answer.maps)
+        self._show_figures()
 
-    def _store_found(self, _: None, found: _Found) -> None:
-        if self._frame is None:
-            return
-        if same_light(found.frame, self._frame):
-            self._found = found
-            self.map.show_maps(found.frame, found.maps)
-            self._show_figures()
-        self._want()
+    def _fail(self, sentence: str) -> None:
+        self.figures.show_remark(sentence)
+
+    def _show_state(self) -> None:
+        if self.background.busy:
+            self.figures.show_remark(tr("Computing the figures…"))
+        else:
+            outdated = tr("Outdated; recomputed when the design rests.")
+            self.figures.show_remark(outdated if self._is_behind() else "")
 
     def _show_figures(self) -> None:
-        if self._found is not None:
-            scene = self._found.frame.session.scene
+        if self._answered is not None and self._answer is not None:
+            scene = self._answered.frame.session.scene
             name = scene.focused_on(self.map.faces.face).optic.name
-            self.figures.show_found(self._found.figures[name], scene.unit)
+            self.figures.show_found(self._answer.figures[name], scene.unit)

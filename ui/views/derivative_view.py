@@ -1,56 +1,42 @@
 """Derivative of the irradiance with respect to one control height."""
 
-from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QSpinBox
 
-from ui.background import Background, Task
+from ui.background import Task
 from ui.document.frame import Frame, same_task
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
-from ui.views.view import ComputingView
+from ui.views.view import ComputingView, Request
 from ui.words import later, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
-from workbench.geometry.faces import ControlHeights, ControlPoint
+from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import nets_of
 from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
-from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from workbench.analysis.derivatives import DerivativeMap
 
 
-@dataclass(frozen=True, eq=False)
-class DerivativeRequest:
-    """Request for a derivative map."""
-
-    scene: Scene
-    heights: ControlHeights
-    point: ControlPoint
-
-
 class DerivativeView(ImageView, ComputingView):
     """Choice of a control point, its derivative map, and the sum of the map."""
 
+    _WORK = later("derivative map")
+
     _image: DerivativeImage
+    _answer: "DerivativeMap | None"
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self._shared.picked.connect(self.choose)
-        self._background = Background(later("derivative map"), self)
-        self._background.done.connect(self._show_map)
-        self._background.failed.connect(self._give_up)
-        self._map: DerivativeMap | None = None
-        self._of: DerivativeRequest | None = None  # what the map answers
         self._faces = FaceChoice()
         self._boxes = (_index_box("x"), _index_box("y"))
         for number, control in enumerate((self._faces, *self._boxes)):
@@ -75,14 +61,13 @@ class DerivativeView(ImageView, ComputingView):
 
     def show_frame(self, frame: Frame) -> None:
         if self._frame is None or not same_task(self._frame.session, frame.session):
-            self._map = None
+            self._forget()
             self._faces.show_scene(frame.session.scene)
         self._frame = frame
         self._offer()
         super().show_frame(frame)
 
     def show_nothing(self, session: Session) -> None:
-        self._map = None
         super().show_nothing(session)
         self._state("")
 
@@ -100,44 +85,43 @@ class DerivativeView(ImageView, ComputingView):
                     box.setMaximum(n - 1)
                     box.setValue(n // 2)
 
+    def _chosen(self) -> ControlPoint:
+        return self.point
+
     def _want(self) -> None:
-        self._background.cancel()
+        super()._want()
         if self._seen():
-            self._state(tr("Computed when the design rests…"))
-            self._compute_soon()
             self._shared.show(point=self.point)
-        self._show_veil()
 
     def _want_nothing(self) -> None:
         super()._want_nothing()
         self._shared.show(point=None)
 
-    def _compute(self) -> None:
-        frame = self._frame
-        assert frame is not None
-        request = DerivativeRequest(frame.session.scene, frame.state.heights, self.point)
-        self._state(tr("Computing…"))
-        self._background.begin(partial(_derivative, request), request)
+    @staticmethod
+    def _work(request: Request, task: Task) -> "DerivativeMap":
+        # Late: torch comes with it, and the window shows before that.
+        from workbench.analysis.derivatives import irradiance_derivative
 
-    def _show_map(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
-        self._map, self._of = found, request
-        self._state(_in_words(found, request.scene.unit))
-        self._show_veil()
-        self._ask()
+        frame, point = request.frame, request.choice
+        scene, heights = frame.session.scene, frame.state.heights
+        return irradiance_derivative(scene, heights, point.index, face=point.face)
 
-    def _give_up(self, sentence: str) -> None:
-        self._map = None
+    def _show_state(self) -> None:
+        frame, found = self._frame, self._answer
+        if self._known and frame is not None and found is not None:
+            self._state(_in_words(found, frame.session.scene.unit))
+        elif self.background.busy:
+            self._state(tr("Computing…"))
+        else:
+            self._state(tr("Computed when the design rests…"))
+
+    def _fail(self, sentence: str) -> None:
+        self._forget()
         self._state(sentence)
         self._ask()
 
-    def _is_behind(self) -> bool:
-        frame, of = self._frame, self._of
-        if frame is None or self._map is None or of is None:
-            return False
-        return (of.heights, of.point) != (frame.state.heights, self.point)
-
     def _why_empty(self, frame: Frame | None) -> str:
-        if frame is not None and self._map is None:
+        if frame is not None and self._answer is None:
             return self._stated
         return super()._why_empty(frame)
 
@@ -151,7 +135,7 @@ class DerivativeView(ImageView, ComputingView):
         return DerivativeImage(axes, session.scene)
 
     def _shown_array(self, frame: Frame) -> Array | None:
-        return None if self._map is None else self._map.map
+        return None if self._answer is None else self._answer.map
 
 
 def _index_box(axis: str) -> QSpinBox:
@@ -176,11 +160,3 @@ def _in_words(found: "DerivativeMap", unit: str) -> str:
         sum=written(found.sum, digits=2), unit=unit, part=part
     )
     return f"{place}. {total}"
-
-
-def _derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
-    # Late: torch comes with it, and the window shows before that.
-    from workbench.analysis.derivatives import irradiance_derivative
-
-    point = request.point
-    return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)

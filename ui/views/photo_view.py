@@ -1,19 +1,16 @@
 """Predicted photo: traced at several wavelengths while it is visible and no run is active."""
 
-from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QSlider
 
-from ui.background import Background, Task
-from ui.document.frame import same_light
+from ui.background import Task
 from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
-from ui.views.view import ComputingView
+from ui.views.view import ComputingView, Request
 from ui.widgets.controls import Chooser
 from ui.words import capitalised, later, tr
 from workbench.analysis.photo.light import LIGHTS
@@ -30,40 +27,6 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 
-@dataclass(frozen=True, eq=False)
-class PhotoRequest:
-    """Request for a photo."""
-
-    frame: "Frame"
-    image: int
-    light: str
-
-    def same(self, other: "PhotoRequest") -> bool:
-        asked = (self.image, self.light) == (other.image, other.light)
-        return asked and same_light(self.frame, other.frame)
-
-
-def predict_photo(request: PhotoRequest, task: Task) -> "Photo | None":
-    """Return the photo of a request, None if cancelled; for a thread.
-
-    Reports the finished fraction.
-    """
-    # Late: what it stands on is slow to import.
-    from workbench.analysis.photo.light import LIGHTS
-    from workbench.analysis.photo.photo import photographing
-
-    session = request.frame.session.of_image(request.image)
-    steps = photographing(
-        session.scene,
-        session.target,
-        request.frame.state.heights,
-        LIGHTS.get(request.light),
-        threads=usable_threads(),
-    )
-    return task.follow(steps, task.report)
-
-
-_WORK = later("photo prediction")
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
 _NO_LENS = later("There is no lens yet. Start designs one.")
 _WAITS = later("The photo is predicted when the design rests.")
@@ -74,17 +37,16 @@ class PhotoView(ImageView, ComputingView):
 
     ENDINGS = (".png",)
 
+    _WORK, _TITLE = later("photo prediction"), later("Photo")
+
+    _answer: "Photo | None"
+
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self._shared.changed.connect(self._want)
-        self._predicted: tuple[PhotoRequest, Photo] | None = None
-        self._wanted: PhotoRequest | None = None
-        self.background = Background(_WORK, self)
         self.background.progressed.connect(
             lambda _, part: self._state(tr("Predicting… {part:.0f} %").format(part=100 * part))
         )
-        self.background.done.connect(self._show)
-        self.background.failed.connect(self._state)
         self._state(tr(_NO_LENS))
         self._readout.setAccessibleName(tr("State of the photo"))
         self._add_controls()
@@ -92,9 +54,7 @@ class PhotoView(ImageView, ComputingView):
     @property
     def photo(self) -> "Photo | None":
         """Photo of the shown lens; None if missing or of an earlier lens."""
-        if self._frame is None or self._predicted is None or not self._known(self._request()):
-            return None
-        return self._predicted[1]
+        return self._answer if self._known else None
 
     @property
     def stops(self) -> float:
@@ -108,11 +68,10 @@ class PhotoView(ImageView, ComputingView):
         """Write the photo as PNG, with its exposure."""
         from workbench.analysis.photo.photo import write_png  # late: slow to import
 
-        if self._predicted is not None:
-            write_png(self._predicted[1], self.stops, file)
+        if self._answer is not None:
+            write_png(self._answer, self.stops, file)
 
     def show_nothing(self, session: "Session") -> None:
-        self._predicted = None
         super().show_nothing(session)
         self._state(tr(_NO_LENS))
 
@@ -154,62 +113,48 @@ class PhotoView(ImageView, ComputingView):
         self._ask()
 
     def _want(self) -> None:
-        frame = self._frame
-        if frame is None:
-            return
-        self._choice.show_scene(frame.session.scene)
-        request = self._request()
-        if self._known(request) or not (self._resting and self._seen()):
-            self._want_nothing()
-        elif not self.background.busy or not self._asked(request):
-            self._want_nothing()
-            self._rest.start()
-        self._show_summary(request)
+        if self._frame is not None:
+            self._choice.show_scene(self._frame.session.scene)
+        super()._want()
 
-    def _want_nothing(self) -> None:
-        super()._want_nothing()
-        self._wanted = None
-
-    def _request(self) -> PhotoRequest:
+    def _chosen(self) -> tuple[int, str]:
+        """Number of the image, and name of the light."""
         assert self._frame is not None  # of what nobody sees there is no photo
-        number = self._number(self._frame.session)
-        return PhotoRequest(self._frame, number, self._light.currentData())
+        return self._number(self._frame.session), self._light.currentData()
 
-    def _known(self, request: PhotoRequest) -> bool:
-        return self._predicted is not None and self._predicted[0].same(request)
+    @staticmethod
+    def _work(request: Request, task: Task) -> "Photo | None":
+        # Late: what it stands on is slow to import.
+        from workbench.analysis.photo.photo import photographing
 
-    def _asked(self, request: PhotoRequest) -> bool:
-        return self._wanted is not None and self._wanted.same(request)
+        number, light = request.choice
+        frame = request.frame.of_image(number)
+        steps = photographing(
+            frame.session.scene,
+            frame.session.target,
+            frame.state.heights,
+            LIGHTS.get(light),
+            threads=usable_threads(),
+        )
+        return task.follow(steps, task.report)
 
-    def _compute(self) -> None:
-        request = self._wanted = self._request()
-        self.background.begin(partial(predict_photo, request), request, tr("Photo"))
+    def _fail(self, sentence: str) -> None:
+        self._state(sentence)
 
-    def _show(self, request: PhotoRequest, photo: "Photo | None") -> None:
-        if photo is not None:
-            self._predicted = request, photo
-            self._show_summary(request)
-            self._ask()
-
-    def _is_behind(self) -> bool:
-        there = self._frame is not None and self._predicted is not None
-        return there and not self._known(self._request())
-
-    def _show_summary(self, request: PhotoRequest) -> None:
-        self._show_veil()
-        if self._known(request) and self._predicted is not None:
-            self._state(f"{capitalised(tr(self._predicted[1].summary))}.")
+    def _show_state(self) -> None:
+        if self.photo is not None:
+            self._state(f"{capitalised(tr(self.photo.summary))}.")
         elif not self.background.busy:
-            before = "" if self._predicted is None else tr("Outdated. ")
+            before = "" if self._answer is None else tr("Outdated. ")
             self._state(before + tr(_WAITS))
-        if self._predicted is None:
+        if self._answer is None:
             self._ask()  # since a state is shown in place of the photo
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         super()._draw(*self._of_image(session, frame))
 
     def _why_empty(self, frame: "Frame | None") -> str:
-        return self._stated if self._predicted is None else ""
+        return self._stated if self._answer is None else ""
 
     def _extent(self, session: "Session") -> Extent:
         return Extent.of_receiver(session.scene)
@@ -221,9 +166,9 @@ class PhotoView(ImageView, ComputingView):
         return PhotoImage(axes, session.scene)
 
     def _shown_array(self, frame: "Frame") -> "npt.NDArray[Any]":
-        if self._predicted is None:
+        if self._answer is None:
             return np.zeros((1, 1, 3), dtype=np.uint8)
-        return self._predicted[1].picture(self.stops)
+        return self._answer.picture(self.stops)
 
 
 def _in_thirds(steps: int) -> str:

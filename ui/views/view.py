@@ -6,20 +6,24 @@ drag nothing rests.
 """
 
 from collections import OrderedDict
+from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from ui.background import Background, close_threads
+from ui.background import Background, Task, close_threads
 from ui.document.document import Document
-from ui.document.frame import Frame, shows
+from ui.document.frame import Frame, same_light, shows
 from ui.document.shown_lens import ShownLens
 from ui.views.shared_view import SharedView
 from ui.widgets import theme
 from ui.widgets.labels import Veil
 from ui.widgets.native import application
+from ui.words import tr
 from workbench.files.session import Session
 
 _REST = 2.0  # seconds of rest for each second of drawing
@@ -178,11 +182,26 @@ class View(QWidget):
     def _recolour(self) -> None: ...
 
 
+@dataclass(frozen=True, eq=False)
+class Request:
+    """Request for what is computed of the lens of a frame, by what is chosen beside it."""
+
+    frame: Frame
+    choice: Any = None
+
+    def same(self, other: "Request | None") -> bool:
+        if other is None or self.choice != other.choice:
+            return False
+        return same_light(self.frame, other.frame)
+
+
 class ComputingView(View):
-    """View whose picture is computed in threads, only while it is seen and the design rests.
+    """View of the answer to a request, computed in a thread while it is seen and the design rests.
 
     It must be the last base of a view: PySide looks for signals along the first.
     """
+
+    _WORK, _TITLE = "", ""  # names of the work in English; the second for the list of tasks
 
     _covered = False
 
@@ -190,6 +209,12 @@ class ComputingView(View):
         super().__init__(shared)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
+        self.background = Background(self._WORK, self)
+        self.background.done.connect(self._store)
+        self.background.failed.connect(self._fail)
+        self._asked: Request | None = None  # computed now, or before
+        self._answered: Request | None = None
+        self._answer: Any = None
 
     def show_design(self, session: Session) -> None:
         super().show_design(session)
@@ -198,11 +223,11 @@ class ComputingView(View):
 
     def show_frame(self, frame: Frame) -> None:
         super().show_frame(frame)
-        self._show_veil()
         self._want()
 
     def show_nothing(self, session: Session) -> None:
         self._want_nothing()
+        self._forget()
         super().show_nothing(session)
 
     def allow(self, resting: bool) -> None:
@@ -231,18 +256,63 @@ class ComputingView(View):
         close_threads(self)
         super().closeEvent(event)
 
+    @property
+    def _known(self) -> bool:
+        """Whether the answer is that to the present request."""
+        return self._frame is not None and self._request().same(self._answered)
+
     def _seen(self) -> bool:
         return self._frame is not None and self.isVisible() and not self._covered
 
+    def _request(self) -> Request:
+        assert self._frame is not None  # of what nobody sees, nothing is computed
+        return Request(self._frame, self._chosen())
+
+    def _chosen(self) -> Any:
+        return None
+
+    def _is_behind(self) -> bool:
+        return self._answered is not None and self._frame is not None and not self._known
+
+    def _want(self) -> None:
+        """Compute the answer once all rests, unless it is there or computed already."""
+        if self._known:
+            self._rest.stop()
+            self.background.cancel()
+        elif self._resting and self._seen():
+            under_way = self.background.busy and self._request().same(self._asked)
+            if not under_way:
+                self.background.cancel()
+                self._rest.start()
+        if self._frame is not None:
+            self._show_veil()
+            self._show_state()
+
     def _want_nothing(self) -> None:
         self._rest.stop()
-        for background in self.findChildren(Background):
-            background.cancel()
+        self.background.cancel()
 
-    def _want(self) -> None: ...
+    def _compute(self) -> None:
+        self._asked = request = self._request()
+        self.background.begin(partial(self._work, request), request, tr(self._TITLE))
+        self._show_state()
 
-    def _compute_soon(self) -> None:
-        if self._resting:
-            self._rest.start()
+    def _store(self, request: Request, answer: Any) -> None:
+        if answer is not None:  # else a person has stopped the work
+            self._answered, self._answer = request, answer
+        self._show_veil()
+        self._show_state()
+        self._ask()
 
-    def _compute(self) -> None: ...
+    def _forget(self) -> None:
+        self._answered = self._answer = None
+
+    @staticmethod
+    def _work(request: Request, task: Task) -> Any:
+        """Return the answer to a request, in the thread; None if stopped."""
+
+    def _show_state(self) -> None:
+        """Say whether the answer is awaited, computed or shown."""
+
+    def _fail(self, sentence: str) -> None:
+        """Say why there is no answer."""

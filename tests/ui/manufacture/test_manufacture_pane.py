@@ -30,7 +30,7 @@ def pane(settings, session, bowl, show, qtbot):
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
     show(pane, 760, 420)
-    qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty)
+    qtbot.waitUntil(lambda: pane._answer is not None and not pane.map.empty)
     return pane
 
 
@@ -55,7 +55,7 @@ def test_a_map_shows_all_limits_and_the_3d_view_hears_of_them(pane, qtbot):
         enter(pane, qtbot, "max_slope", "5")
     assert caught.args == [pane.figures.limits] and pane.figures.limits.max_slope == 5
     qtbot.waitUntil(lambda: len(legend(pane)) == 2 and hatched(pane))
-    slope = pane._found.maps["lens.back"].slope
+    slope = pane._answer.maps["lens.back"].slope
     assert legend(pane)[1] == f"Slope ({100 * (slope > 5).mean():.2g} %)"
     assert set(pane.map.data()[2].values) == {0, 1}
 
@@ -93,7 +93,7 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     enter(pane, qtbot, "max_slope", "89")
     assert states(pane)["steepest"] == "✓ met"
     qtbot.waitUntil(lambda: not hatched(pane))
-    concave = pane._found.figures["lens"].tightest_concave
+    concave = pane._answer.figures["lens"].tightest_concave
     between = f"{(concave.value + concave.bound) / 2:.12g}"
     enter(pane, qtbot, "min_radius", between)
     assert states(pane)["tightest_concave"] == "? not checked yet"

@@ -21,12 +21,12 @@ def test_the_dock_shows_the_designed_lens(window, session, qtbot):
     view, other = (window.loaded.views.around[name] for name in ("derivative", "target"))
     assert not view.isVisible() and other.isVisible()
     window.commands["go_derivative"].trigger()
-    qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: view._answer is not None, timeout=60_000)
     assert view.isVisible() and not other.isVisible()
     wanted = irradiance_derivative(
         session.scene, {"lens.back": np.full((12, 10), 0.497)}, view.point.index
     )
-    np.testing.assert_allclose(view._map.map, wanted.map, atol=1e-12)
+    np.testing.assert_allclose(view._answer.map, wanted.map, atol=1e-12)
 
 
 def seen_at(window, index):
@@ -58,7 +58,7 @@ def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, qtbo
         qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, index))
         assert derivative.point.index == index
         qtbot.waitUntil(lambda at=index: view.nets.picture._marked == at)
-    qtbot.waitUntil(lambda: derivative._map is not None and derivative._map.index == (2, 7))
+    qtbot.waitUntil(lambda: derivative._answer is not None and derivative._answer.index == (2, 7))
 
 
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):

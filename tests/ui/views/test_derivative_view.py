@@ -57,7 +57,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
 
 def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, qtbot):
     seen.show_frame(frame(1))
-    qtbot.waitUntil(lambda: seen._map is not None and not seen.empty, timeout=20_000)
+    qtbot.waitUntil(lambda: seen._answer is not None and not seen.empty, timeout=20_000)
     seen.show_frame(frame(1, of=make_session({"filter": {"kind": "box"}})))
     qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in seen._readout.text())
     qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() == 0)

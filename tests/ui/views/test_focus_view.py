@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ui.views import focus_view
-from ui.views.focus_view import FocusView
+from ui.views.focus_view import FocusView, z_at
 from workbench.analysis.validation import validate, validating
 from workbench.geometry.faces import FaceArrays
 from workbench.measured.lamps import light_unit
@@ -57,7 +57,7 @@ def view(frame, traces, show, qtbot):
     view = FocusView()
     view.show_frame(frame)
     show(view, 420, 420)
-    qtbot.waitUntil(lambda: view._traced is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: view._answer is not None, timeout=30_000)
     yield view
 
 
@@ -77,11 +77,11 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
     found = traced(view, frame, qtbot)
     assert f"z = {scene.receiver.z:.4g} cm (screen): error" in view._readout.text()
     assert f"{100 * found.efficiency:.1f} % of the light" in view._readout.text()
-    near, far = (view._z_of(part) for part in (500, 1500))
+    near, far = (z_at(frame, part) for part in (500, 1500))
     top = scene.optic.highest
     assert near - top == pytest.approx((scene.receiver.z - top) / 2)
     assert far - top == pytest.approx((scene.receiver.z - top) * 1.5)
-    for part, z in ((500, near), (1500, far), (1235, view._z_of(1235))):
+    for part, z in ((500, near), (1500, far), (1235, z_at(frame, 1235))):
         view._slider.setValue(part)
         assert view.z == z
         traced(view, frame, qtbot)
