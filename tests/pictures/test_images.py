@@ -82,10 +82,10 @@ def test_a_right_image_has_the_colours_of_its_target_however_much_light_is_lost(
     target = rng.random((4, 8))
     lit = IrradianceImage(axes, scene, target)
     lit.update(target_irradiance(scene, target, flux))
-    brightest = lit.artists[0].norm(lit.artists[0].get_array()).max()
+    brightest = lit.image.norm(lit.image.get_array()).max()
     assert 0.73 < brightest < 0.88
     lit.set_logarithmic(True)
-    assert lit.artists[0].norm.vmax == 8 * full_scale(scene, target, flux)  # of a screen of 8 cm²
+    assert lit.image.norm.vmax == 8 * full_scale(scene, target, flux)  # of a screen of 8 cm²
 
 
 def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes):
@@ -94,7 +94,7 @@ def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes)
     assert axes.get_xlim() == (10, 50) and axes.get_ylim() == (-15, 5)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("H (°)", "V (°)")
     assert axes.child_axes[0].get_ylabel() == "× mean"
-    assert image.artists[0].get_label() == "intensity"
+    assert image.image.get_label() == "intensity"
 
 
 def test_an_error_of_nothing_has_the_colour_of_the_ground_in_both_themes():
@@ -119,7 +119,7 @@ def test_a_photo_lies_as_its_viewer_sees_the_receiver(axes, make_scene, rng, sid
     )
     colours = rng.integers(0, 255, (4, 8, 3), dtype=np.uint8)
     photo = PhotoImage(axes, scene)
-    assert not photo.update(colours)
+    photo.update(colours)
     (image,) = axes.images
     np.testing.assert_array_equal(image.get_array(), colours)
     assert tuple(image.get_extent()) == (*ends, -1.0, 1.0)

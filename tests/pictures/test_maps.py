@@ -39,7 +39,7 @@ def test_gain_is_red_loss_is_blue_and_the_rest_grey(scene, axes):
     derivative = np.zeros((4, 8))
     derivative[0, 0], derivative[1, 5], derivative[2, 2] = 3.0, -3.0, 1e-9
     picture = DerivativeImage(axes, scene)
-    assert picture.update(derivative) is True
+    picture.update(derivative)
     seen = colours(axes, picture)
     red, blue, small, none = seen[0, 0], seen[1, 5], seen[2, 2], seen[3, 7]
     assert red[0] > red[2] + 50 and blue[2] > blue[0] + 50

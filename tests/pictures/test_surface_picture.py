@@ -33,7 +33,7 @@ def test_height_is_that_over_the_base_with_row_0_at_the_top(scene, axes):
     wanted = 0.5 + 0.1 * x + 0.4 * y - scene.optic.base.height_at(x, y)
     assert image.values[0, -1] == pytest.approx(wanted, rel=1e-12)
     assert image.values[0, -1] > image.values[-1, -1] > image.values[-1, 0]
-    low, high = image.artists[0].get_clim()
+    low, high = image.image.get_clim()
     assert low == -high
     assert axes.child_axes[0].get_ylabel() == "height (cm)"
 
@@ -42,7 +42,7 @@ def test_slope_is_an_angle_on_a_scale_from_zero(scene, axes):
     image = SurfaceImage(axes, scene, NAMED["slope"])
     image.update(tilted(scene, 1.0, 0.0))
     np.testing.assert_allclose(image.values, 45)
-    assert image.artists[0].get_clim() == (0, 50)
+    assert image.image.get_clim() == (0, 50)
     assert axes.child_axes[0].get_ylabel() == "slope (°)"
 
 

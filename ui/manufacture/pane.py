@@ -26,6 +26,7 @@ from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array
 from workbench.files.session import Session
 from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.progress import finished, of_equal, within
 
@@ -43,10 +44,11 @@ _TIPS = later(
 
 class _DrawnMap(NamedTuple):
     values: Array
-    artists: tuple[()] = ()
+    extent: Extent
+    unit: str
 
-    def update(self, _: Array) -> bool:
-        return False
+    def update(self, _: Array) -> None:
+        """Leave the map as it was drawn."""
 
 
 class FaceMap(FaceMapView):
@@ -77,18 +79,16 @@ class FaceMap(FaceMapView):
         super().show_nothing(session)
 
     def _new_image(self, axes: Axes, session: Session) -> "_DrawnMap":
-        maps = self._maps.get(self.faces.face)
-        if maps is None:
-            return _DrawnMap(np.zeros((1, 1)))
-        name, unit = MAPS[self.quantity], session.scene.unit
-        return _DrawnMap(draw_map(axes, name, maps, self._limits, unit))
+        name, unit, maps = MAPS[self.quantity], session.scene.unit, self._maps.get(self.faces.face)
+        extent = Extent.around(session.scene.focused_on(self.faces.face).optic.half_width, unit)
+        values = np.zeros((1, 1))
+        if maps is not None:
+            values = draw_map(axes, name, maps, self._limits, unit)
+        shown_unit = map_unit(name, unit).removeprefix("1 ") or tr("exceeded")
+        return _DrawnMap(values, extent, shown_unit)
 
     def _shown_array(self, frame: Frame) -> Array:
         return np.zeros((1, 1))  # the map is drawn at the beginning
-
-    def _unit(self, session: Session) -> str:
-        unit = map_unit(MAPS[self.quantity], session.scene.unit).removeprefix("1 ")
-        return unit or tr("exceeded")
 
 
 class _Found(NamedTuple):

@@ -1,12 +1,10 @@
 """The dock Tolerances: the distribution of the error of perturbed lenses."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton
@@ -112,14 +110,10 @@ class SpreadView(PlotView):
     def _why_empty(self, frame: Frame | None) -> str:
         return "" if self._sample is not None else tr(self._WAITING)
 
-    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
+    def _begin(self, axes: Axes, session: Session) -> None:
         if self._sample is not None:
             nominal, *errors = (each.relative_l2 for each in self._sample.lenses)
             draw_errors(axes, nominal, errors)
-        return ()
-
-    def _change(self, frame: Frame) -> bool:
-        return False  # another lens has another picture
 
 
 _RAYS = 1_000_000  # for each lens, as on the command line

@@ -17,8 +17,6 @@ from workbench.arrays import Array
 from workbench.files.session import Session
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import nets_of
-from workbench.measured.lamps import light_unit
-from workbench.pictures.axes import Extent
 from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
 
@@ -124,12 +122,6 @@ class DerivativeView(ImageView, ComputingView):
         if frame is not None and self._answer is None:
             return self._stated
         return super()._why_empty(frame)
-
-    def _extent(self, session: Session) -> Extent:
-        return Extent.of_receiver(session.scene)
-
-    def _unit(self, session: Session) -> str:
-        return f"{tr(light_unit(session.scene).words)} / {session.scene.unit}"
 
     def _new_image(self, axes: Axes, session: Session) -> DerivativeImage:
         return DerivativeImage(axes, session.scene)

@@ -3,10 +3,7 @@
 A moved slider is answered with few rays at once, and with many when it rests.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
@@ -116,12 +113,11 @@ class FocusCurveView(PlotView, ComputingView):
     def _show_veil(self) -> None:
         """Leave that to the view around it."""
 
-    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
+    def _begin(self, axes: Axes, session: Session) -> None:
         self._curve = FocusCurve(axes, session.scene, self._ends)
-        return [self._curve.mark]
 
-    def _change(self, frame: Frame) -> bool:
-        return self._curve.update(self.errors, self._z)
+    def _change(self, frame: Frame) -> None:
+        self._curve.update(self.errors, self._z)
 
 
 _FEW, _MANY = 200_000, 4_000_000  # rays

@@ -7,7 +7,6 @@
 3. Scales lie over the image while the pointer is on it or the keyboard acts on it.
 """
 
-from collections.abc import Sequence
 from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
@@ -96,14 +95,11 @@ class ImageCanvas(QWidget):
         self._axes, self._overlays = self.figure.add_subplot(), None
         return self._axes
 
-    def animate(self, _: Sequence[Any]) -> None:
-        self.recolour()
-
     def recolour(self) -> None:
         palette = self.palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
 
-    def show_changes(self, _: bool) -> None:
+    def show_changes(self) -> None:
         """Paint new values, colours or marks."""
         if self._axes is not None and self._axes.get_visible() and self._axes.images:
             self._convert(self._axes)

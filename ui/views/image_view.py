@@ -4,11 +4,9 @@ Wheel, + and − zoom; dragging and arrows pan; a double click or Home shows eve
 """
 
 from abc import abstractmethod
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QResizeEvent, QSinglePointEvent, QWheelEvent
@@ -20,6 +18,7 @@ from ui.views.plot_view import PlotView
 from ui.views.shared_view import Part, Place, SharedView
 from ui.views.tools import ARROWS, COMMANDS, ZOOMS
 from ui.widgets.controls import filled
+from ui.widgets.figures import translated
 from ui.widgets.labels import ElidedLabel
 from ui.widgets.native import available_size
 from ui.words import tr
@@ -42,7 +41,7 @@ class ImageView(PlotView):
     """Shows an image, and its value under the pointer."""
 
     _canvas: ImageCanvas
-    _image: Any  # of workbench.pictures: artists, update(array), values
+    _image: Any = None  # of workbench.pictures: a map with update(array)
 
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
@@ -99,24 +98,15 @@ class ImageView(PlotView):
         else:
             super().keyPressEvent(event)
 
-    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
-        before = self._shown
-        if before is not None and self._extent(before).bounds != self._extent(session).bounds:
+    def _begin(self, axes: Axes, session: Session) -> None:
+        before, self._image = self._image, self._new_image(axes, session)
+        if before is not None and before.extent.bounds != self._image.extent.bounds:
             self._shared.show(part=None)
-        self._image = self._new_image(axes, session)
-        return list(self._image.artists)
 
-    def _change(self, frame: Frame) -> bool:
-        everything = bool(self._image.update(self._shown_array(frame)))
+    def _change(self, frame: Frame) -> None:
+        self._image.update(self._shown_array(frame))
         self._values = self._image.values
         self._read()
-        return everything
-
-    @abstractmethod
-    def _extent(self, session: Session) -> Extent: ...
-
-    @abstractmethod
-    def _unit(self, session: Session) -> str: ...
 
     @abstractmethod
     def _new_image(self, axes: Axes, session: Session) -> Any: ...
@@ -139,11 +129,10 @@ class ImageView(PlotView):
         if self._shown is not None:
             self._adapt()
 
-    def _adapt(self) -> bool:
+    def _adapt(self) -> None:
         self._canvas.show_part(self._part())
         if self._pointer is not None:  # at rest, while keys or another design move the image
             self._shared.pointed.emit(self._canvas.place_at(self._pointer))
-        return False
 
     def _click(self, place: Place) -> None: ...
 
@@ -163,14 +152,15 @@ class ImageView(PlotView):
         if self._shown is None:
             self._readout.clear()
             return
-        extent, pixel = self._extent(self._shown), None
+        extent: Extent = self._image.extent
+        pixel = None
         if self._pointed is not None and self._values is not None:
             x, y = self._pointed
             pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is None or self._values is None:
             texts = self._at_rest(self._shown)
         else:
-            value = written(self._values[pixel], self._unit(self._shown))
+            value = written(self._values[pixel], translated(self._image.unit))
             if np.isnan(self._values[pixel]):
                 value = tr("outside the {optic}", optic=self._shown.scene.optic.called)
             whole = tr("{value} at {x}, {y}").format(
@@ -261,8 +251,8 @@ class ImageView(PlotView):
         return self._shared.now.part or self._whole()
 
     def _whole(self) -> Part:
-        assert self._shown is not None
-        return self._extent(self._shown).bounds
+        bounds: Part = self._image.extent.bounds
+        return bounds
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:

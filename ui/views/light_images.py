@@ -4,10 +4,8 @@ A click or Enter pins a point; Shift and drag, or the line tool, draws a line. `
 the mouse while regions are marked.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
@@ -26,7 +24,6 @@ from workbench.design.loss import relative_error
 from workbench.extended.bound import percent
 from workbench.files.session import Session
 from workbench.measured.lamps import light_unit
-from workbench.pictures.axes import Extent
 from workbench.pictures.images import ErrorImage, IrradianceImage, suits_contours, target_irradiance
 from workbench.pictures.regions import RegionMarks
 from workbench.scene import Scene
@@ -60,12 +57,6 @@ class ScreenImageView(ImageView):
 
     def _draw(self, session: Session, frame: Frame | None) -> None:
         super()._draw(*self._of_image(session, frame))
-
-    def _extent(self, session: Session) -> Extent:
-        return Extent.of_receiver(session.scene)
-
-    def _unit(self, session: Session) -> str:
-        return tr(light_unit(session.scene).words)
 
     def _number(self, session: Session) -> int:
         self._choice.show_scene(session.scene)
@@ -110,10 +101,10 @@ class ScreenImageView(ImageView):
         ]
         return seen[0] == seen[1] and one.target is other.target  # whatever lens and light are
 
-    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
-        artists = super()._begin(axes, session)
+    def _begin(self, axes: Axes, session: Session) -> None:
+        super()._begin(axes, session)
         look: dict[str, Any] = {"color": _MARK, "linewidth": 0.9, "visible": False}
-        left, right, bottom, top = self._extent(session).bounds
+        left, right, bottom, top = self._image.extent.bounds
         self._marks = [
             axes.plot([0, 0], [bottom, top], linestyle="--", **look)[0],
             axes.plot([left, right], [0, 0], linestyle="--", **look)[0],
@@ -121,9 +112,8 @@ class ScreenImageView(ImageView):
             axes.plot([], [], marker="o", markersize=3, **look | _DRAFT)[0],
         ]
         self._regions = RegionMarks(axes, session.scene)
-        return [*artists, *self._marks, *self._regions.artists]
 
-    def _adapt(self) -> bool:
+    def _adapt(self) -> None:
         now, (upright, level, line, draft) = self._shared.now, self._marks
         self._line_tool.setChecked(now.drawing)
         self._canvas.setCursor(_CROSS if now.marking else _ARROW)
@@ -138,7 +128,7 @@ class ScreenImageView(ImageView):
             level.set_ydata([now.pin[1]] * 2)
         if now.line is not None:
             line.set_data(*zip(*now.line, strict=True))
-        return super()._adapt()
+        super()._adapt()
 
     def _click(self, place: Place) -> None:
         if self._shared.now.marking:
@@ -206,10 +196,10 @@ class LightImageView(ScreenImageView):
         image.set_colours(self._shared.now.colours)
         return image
 
-    def _adapt(self) -> bool:
+    def _adapt(self) -> None:
         self._logarithmic.setChecked(self._shared.now.logarithmic)
         self._contours.setChecked(self._image.outlined)
-        return super()._adapt()
+        super()._adapt()
 
 
 class IrradianceView(LightImageView):
@@ -224,17 +214,17 @@ class IrradianceView(LightImageView):
         )
         self._pin.clicked.connect(lambda on: self._shared.pin_image(self._frame if on else None))
 
-    def _adapt(self) -> bool:
+    def _adapt(self) -> None:
         self._pin.setChecked(self._shared.now.reference is not None)
-        return super()._adapt()
+        super()._adapt()
 
     def _shown_array(self, frame: Frame) -> Array:
         return frame.state.irradiance
 
-    def _change(self, frame: Frame) -> bool:
+    def _change(self, frame: Frame) -> None:
         assert self._regions is not None  # since there is a picture
         self._regions.show_light(frame.state.irradiance)
-        return super()._change(frame)
+        super()._change(frame)
 
 
 class PinnedView(IrradianceView):

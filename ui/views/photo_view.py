@@ -14,7 +14,6 @@ from ui.views.view import ComputingView, Request
 from ui.widgets.controls import Chooser
 from ui.words import capitalised, later, tr
 from workbench.analysis.photo.light import LIGHTS
-from workbench.pictures.axes import Extent
 from workbench.pictures.images import PhotoImage
 from workbench.process import usable_threads
 
@@ -155,12 +154,6 @@ class PhotoView(ImageView, ComputingView):
 
     def _why_empty(self, frame: "Frame | None") -> str:
         return self._stated if self._answer is None else ""
-
-    def _extent(self, session: "Session") -> Extent:
-        return Extent.of_receiver(session.scene)
-
-    def _unit(self, session: "Session") -> str:
-        return ""
 
     def _new_image(self, axes: "Axes", session: "Session") -> PhotoImage:
         return PhotoImage(axes, session.scene)

@@ -7,7 +7,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
@@ -122,7 +121,7 @@ class SectionView(PlotView):
     def _draw(self, session: Session, frame: Frame | None) -> None:
         super()._draw(*self._of_image(session, frame))
 
-    def _begin(self, axes: Axes, session: Session) -> Sequence[Artist]:
+    def _begin(self, axes: Axes, session: Session) -> None:
         receiver = session.scene.receiver
         left, right, bottom, top = receiver.bounds
 
@@ -135,10 +134,9 @@ class SectionView(PlotView):
             self._line = (left, bottom), (right, top)
         self._mark()
         self._curves = SectionCurves(axes, session.scene, session.target)
-        return self._curves.artists
 
-    def _change(self, frame: Frame) -> bool:
-        return self._curves.update(frame.state.irradiance, self._cut(frame.session.scene))
+    def _change(self, frame: Frame) -> None:
+        self._curves.update(frame.state.irradiance, self._cut(frame.session.scene))
 
     def _cut(self, scene: Scene) -> Cut:
         if self._along == "line":

@@ -13,7 +13,7 @@ from ui.widgets.controls import Chooser
 from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
-from workbench.pictures.axes import Column, Extent
+from workbench.pictures.axes import Column
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
 _FONT = 9  # of the name of a face in files
@@ -44,10 +44,6 @@ class FaceMapView(ImageView):
         self.chooser.setToolTip(self.chooser.currentData(Qt.ItemDataRole.ToolTipRole))
         self._begin_anew()
 
-    def _extent(self, session: Session) -> Extent:
-        optic = session.scene.focused_on(self.faces.face).optic
-        return Extent.around(optic.half_width, session.scene.unit)
-
 
 class SurfaceView(FaceMapView):
     """Map of heights, slopes or curvatures."""
@@ -69,9 +65,6 @@ class SurfaceView(FaceMapView):
         if face:
             columns[-1] = columns[-1]._replace(name=f"{face}: {columns[-1].name}")
         return columns
-
-    def _unit(self, session: Session) -> str:
-        return ASPECTS[self.quantity].unit.format(session.scene.unit).removeprefix("1 ")
 
     def _new_image(self, axes: Axes, session: Session) -> SurfaceImage:
         self.faces.show_scene(session.scene)

@@ -56,7 +56,7 @@ def translate(figure: Figure, names: Collection[str] = ()) -> None:
     _translate_texts(text for text in texts if text.get_text() not in names)
     for line in cast("list[Line2D]", figure.findobj(Line2D)):
         if (label := str(line.get_label())) not in names:
-            line.set_label(_translated(label))
+            line.set_label(translated(label))
 
 
 def translate_axes(figure: Figure) -> None:
@@ -67,17 +67,18 @@ def translate_axes(figure: Figure) -> None:
 def _translate_texts(texts: Iterable[Text]) -> None:
     for text in texts:
         english = text.get_text()
-        translated = _translated(english)
-        if translated != english:
-            text.set_text(translated)
+        shown = translated(english)
+        if shown != english:
+            text.set_text(shown)
 
 
-def _translated(english: str) -> str:
+def translated(english: str) -> str:
+    """Return a text of a figure, or a part of one, in the language of the window."""
     if mean := _MEAN.fullmatch(english):
         return (mean[1] or "") + tr("× mean") + mean[2]
     if at := _AT.fullmatch(english):
-        return tr("{axis} at {place}").format(axis=_translated(at[1]), place=at[2])
+        return tr("{axis} at {place}").format(axis=translated(at[1]), place=at[2])
     if named := _NAMED.fullmatch(english):
-        return f"{tr(named[1])}: {_translated(named[2])}"
+        return f"{tr(named[1])}: {translated(named[2])}"
     parts = _WITH_UNIT.fullmatch(english)
     return f"{tr(parts[1])} {parts[2]}" if parts else tr(english)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self
 
 import numpy as np
 from matplotlib import colormaps
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.colors import Colormap, LinearSegmentedColormap, ListedColormap, to_rgb
@@ -53,16 +52,6 @@ _GREYS = 4096  # as many as a monitor tells apart in the dark
 
 _seen = SRGB.stored(np.linspace(0, 1, _GREYS))
 colormaps.register(ListedColormap(np.stack([_seen] * 3, -1).tolist(), name=AS_SEEN), force=True)
-
-
-class UpdatedPicture:
-    """A picture on axes of the caller that is drawn once and then updated.
-
-    ``update`` returns whether more than ``artists`` changed, so that the whole figure has to be
-    redrawn. The caller may blit ``artists``.
-    """
-
-    artists: list[Artist]
 
 
 class TickLabels(Formatter):
@@ -151,6 +140,19 @@ class Extent(NamedTuple):
     def _settled(self, axis: int, value: float) -> float:
         low, high = self.bounds[2 * axis : 2 * axis + 2]
         return 0.0 if abs(value) < _ZERO * (high - low) else value
+
+
+class Map:
+    """A map on axes of the caller that is drawn once and then updated.
+
+    ``image``: that of matplotlib; ``values`` (n_y, n_x): what is shown, in ``unit`` and over
+    ``extent``.
+    """
+
+    image: Any
+    extent: Extent
+    unit: str = ""
+    values: Array | None = None
 
 
 def map_image(

@@ -78,32 +78,24 @@ def write_focus(file: BinaryIO, scene: Scene, target: Array, series: Sequence["F
 
 
 class FocusCurve:
-    """Error against screen distance, on axes of the caller.
-
-    ``mark`` is the line at the shown distance; the caller may blit it.
-    """
+    """Error against screen distance, on axes of the caller, with a mark at the shown one."""
 
     def __init__(self, axes: "Axes", scene: Scene, ends: tuple[float, float]) -> None:
         self._axes = axes
         axes.axvline(scene.receiver.plane_z, color=_GREY, linestyle=":", linewidth=1)
-        (self._curve,) = axes.plot([], [], "o-", color=_BLUE, markersize=3, linewidth=1.2)
+        (self.curve,) = axes.plot([], [], "o-", color=_BLUE, markersize=3, linewidth=1.2)
         self.mark = axes.axvline(scene.receiver.plane_z, color=_ORANGE, linewidth=1)
-        self._shown: Sequence[tuple[float, float]] = ()
         axes.set_xlim(*ends)
         axes.set_ylim(0, 1)
         name = f"{Message('z of the screen')} ({scene.unit})"
         label_curves(axes, name, f"{Message('error')} (%)")
         set_round_ticks(axes)
 
-    def update(self, errors: Sequence[tuple[float, float]], z: float) -> bool:
-        """Show errors as (z, relative L2 error) sorted by z; return whether to redraw."""
+    def update(self, errors: Sequence[tuple[float, float]], z: float) -> None:
+        """Show errors as (z, relative L2 error) sorted by z, and the distance."""
         self.mark.set_xdata([z, z])
-        if tuple(errors) == self._shown:
-            return False
-        self._shown = tuple(errors)
-        self._curve.set_data([at for at, _ in errors], [100 * error for _, error in errors])
-        self._axes.set_ylim(0, 110 * max((error for _, error in errors), default=0.01) or 1)
-        return True
+        self.curve.set_data([at for at, _ in errors], [100 * error for _, error in errors])
+        self._axes.set_ylim(0, 110 * max((error for _, error in errors), default=1 / 110) or 1)
 
 
 def draw_errors(axes: "Axes", nominal: float, errors: Sequence[float]) -> None:

@@ -24,7 +24,7 @@ from workbench.pictures.axes import (
     SIGNED,
     UNSIGNED,
     Extent,
-    UpdatedPicture,
+    Map,
     colour_bar,
     map_image,
     round_scale,
@@ -110,7 +110,7 @@ def to_colours(irradiance: Array, top: float, colours: str) -> npt.NDArray[np.ui
     return _table(colours)[levels]
 
 
-class IrradianceImage(UpdatedPicture):
+class IrradianceImage(Map):
     """Irradiance on axes of the caller.
 
     ``values`` (n_y, n_x) is the shown image in the scene's `LightUnit`; ``outlined``: whether
@@ -122,31 +122,29 @@ class IrradianceImage(UpdatedPicture):
     def __init__(
         self, axes: "Axes", scene: Scene, target: npt.NDArray[Any], name: str = ""
     ) -> None:
-        self._scene, self._target, self._unit = scene, target, light_unit(scene)
-        self._image = receiver_map(axes, name or scene.receiver.density, scene, _LIGHT)
+        self._scene, self._target, unit = scene, target, light_unit(scene)
+        self._density, self.unit = unit.density, unit.words
+        self.extent = Extent.of_receiver(scene)
+        self.image = receiver_map(axes, name or scene.receiver.density, scene, _LIGHT)
         self.set_colours("")
-        self._contours = Contours(axes, Extent.of_receiver(scene))
+        self._contours = Contours(axes, self.extent)
         self.outlined = False
         self._logarithmic = False
-        self._top = self._unit.density * full_scale(scene, target)
-        self._image.set_clim(0, self._top)
-        colour_bar(axes, self._image, self._unit.words, extend="max")
-        self.artists = [self._image]
+        self._top = self._density * full_scale(scene, target)
+        self.image.set_clim(0, self._top)
+        colour_bar(axes, self.image, self.unit, extend="max")
 
-    def update(self, irradiance: Array) -> bool:
-        """Show an image (n_y, n_x); return whether the scale changed."""
-        factor = self._unit.density
-        self.values = irradiance * factor
-        self._image.set_data(as_viewed(self._scene, self.values))
+    def update(self, irradiance: Array) -> None:
+        """Show an image (n_y, n_x)."""
+        self.values = irradiance * self._density
+        self.image.set_data(as_viewed(self._scene, self.values))
         flux = self._scene.receiver.total(irradiance)
-        top = factor * full_scale(self._scene, self._target, flux)
-        rescaled = top != self._top
-        if rescaled:
+        top = self._density * full_scale(self._scene, self._target, flux)
+        if top != self._top:
             self._top = top
             self.set_logarithmic(self._logarithmic)
         if self.outlined:
             self._contours.show(self.values, top)
-        return rescaled
 
     def set_colours(self, name: str) -> None:
         """Set one of the colour maps `UNSIGNED`, or that for the scene; the whole figure changes.
@@ -155,16 +153,16 @@ class IrradianceImage(UpdatedPicture):
         """
         name = name or colours_for(self._scene)
         dark = colormaps[name](0.0)  # also for zero, which has no logarithm
-        self._image.set_cmap(colormaps[name].with_extremes(bad=dark))
+        self.image.set_cmap(colormaps[name].with_extremes(bad=dark))
 
     def set_logarithmic(self, logarithmic: bool) -> None:
         """Set a logarithmic scale over three decades, or a linear one."""
         self._logarithmic = logarithmic
         even, decades = Normalize(0, self._top), LogNorm(self._top / _DECADES, self._top)
-        self._image.set_norm(decades if logarithmic else even)
+        self.image.set_norm(decades if logarithmic else even)
 
 
-class ErrorImage(UpdatedPicture):
+class ErrorImage(Map):
     """Signed error on axes of the caller.
 
     The scale is symmetric about zero and one of 1, 2, 5, 10, ... It changes only when the errors
@@ -178,22 +176,18 @@ class ErrorImage(UpdatedPicture):
         self._scene = scene
         self._target = target
         unit = light_unit(scene)
-        self._image = receiver_map(axes, Message("error"), scene, SIGNED)
+        self.extent, self.unit = Extent.of_receiver(scene), unit.words
+        self.image = receiver_map(axes, Message("error"), scene, SIGNED)
         self._scale = round_scale(unit.density * full_scale(scene, target))
-        self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, unit.words, extend="both")
-        self.artists = [self._image]
+        self.image.set_clim(-self._scale, self._scale)
+        colour_bar(axes, self.image, self.unit, extend="both")
 
-    def update(self, irradiance: Array) -> bool:
-        """Show the error of an irradiance (n_y, n_x); return whether the scale changed."""
+    def update(self, irradiance: Array) -> None:
+        """Show the error of an irradiance (n_y, n_x)."""
         self.values = shown_error(self._scene, self._target, irradiance)
-        self._image.set_data(as_viewed(self._scene, self.values))
-        scale = stable_scale(self.values, self._scale)
-        if scale == self._scale:
-            return False
-        self._scale = scale
-        self._image.set_clim(-scale, scale)
-        return True
+        self.image.set_data(as_viewed(self._scene, self.values))
+        self._scale = stable_scale(self.values, self._scale)
+        self.image.set_clim(-self._scale, self._scale)
 
 
 def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
@@ -213,7 +207,7 @@ def _table(name: str) -> npt.NDArray[np.uint8]:
     return np.asarray(colormaps[name](np.linspace(0, 1, _LEVELS), bytes=True)[:, :3])
 
 
-class DerivativeImage(UpdatedPicture):
+class DerivativeImage(Map):
     """Map of a derivative on axes of the caller.
 
     ``values`` (n_y, n_x) are shown, in the scene's `LightUnit` per length.
@@ -225,38 +219,30 @@ class DerivativeImage(UpdatedPicture):
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
         colours = colormaps[SIGNED].with_extremes(bad=_UNAFFECTED)
-        self._image = receiver_map(axes, "derivative", scene, colours)
-        self._scene, self._scale = scene, 1.0
-        self._image.set_clim(-self._scale, self._scale)
-        self._unit = light_unit(scene)
-        colour_bar(axes, self._image, f"{self._unit.words} / {scene.unit}", extend="neither")
+        self.image = receiver_map(axes, "derivative", scene, colours)
+        unit = light_unit(scene)
+        self._scene, self._density = scene, unit.density
+        self.extent, self.unit = Extent.of_receiver(scene), f"{unit.words} / {scene.unit}"
+        colour_bar(axes, self.image, self.unit, extend="neither")
         self.update(None)
-        self.artists = [self._image]
 
-    def update(self, derivative: Array | None) -> bool:
+    def update(self, derivative: Array | None) -> None:
         """Show a derivative (n_y, n_x), flux per area and length; None shows zeros."""
         if derivative is None:
-            derivative = np.zeros(self._image.get_array().shape)
-        self.values = derivative * self._unit.density
-        self._image.set_data(np.ma.masked_equal(as_viewed(self._scene, self.values), 0))
+            derivative = np.zeros(self.image.get_array().shape)
+        self.values = derivative * self._density
+        self.image.set_data(np.ma.masked_equal(as_viewed(self._scene, self.values), 0))
         scale = float(np.abs(self.values).max()) or 1.0
-        if scale == self._scale:
-            return False
-        self._scale = scale
-        self._image.set_clim(-scale, scale)
-        return True
+        self.image.set_clim(-scale, scale)
 
 
-class PhotoImage(UpdatedPicture):
+class PhotoImage(Map):
     """A predicted photo on axes of the caller, as its viewer sees it; it has no ``values``."""
 
-    values = None
-
     def __init__(self, axes: "Axes", scene: Scene) -> None:
-        self._image = receiver_map(axes, "photo", scene, UNSIGNED[-1])
-        self.artists = [self._image]
+        self.extent = Extent.of_receiver(scene)
+        self.image = receiver_map(axes, "photo", scene, UNSIGNED[-1])
 
-    def update(self, colours: npt.NDArray[np.uint8]) -> bool:
+    def update(self, colours: npt.NDArray[np.uint8]) -> None:
         """Show colours (n_y, n_x, 3), as the viewer sees them."""
-        self._image.set_data(colours)
-        return False
+        self.image.set_data(colours)

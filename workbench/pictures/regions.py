@@ -10,7 +10,6 @@ from workbench.pictures.axes import label_place
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.text import Text
 
@@ -25,11 +24,10 @@ class RegionMarks:
     def __init__(self, axes: "Axes", scene: "Scene") -> None:
         self._scene = scene
         self._texts: list[Text] = []
-        outlines: list[Artist] = []
         receiver = scene.receiver
         for number, region in enumerate(scene.regions):
             corners = receiver.middle + 2 * region.outline * receiver.half_extent
-            outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
+            axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
             (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
             side = "left" if left + right <= 2 * receiver.middle[0] else "right"  # towards it
             at = left if side == "left" else right
@@ -37,8 +35,6 @@ class RegionMarks:
             edge, up = (bottom, "bottom") if number % 2 else (top, "top")
             text = label_place(axes, (at, edge), region.name, side, up)
             self._texts.append(text)
-        self.artists = (*outlines, *self._texts)
-        """Drawn over the image, which is drawn anew for each state of a run."""
 
     def show_light(self, irradiance: Array) -> None:
         """Add to each label the light of its region."""

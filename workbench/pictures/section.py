@@ -9,7 +9,7 @@ import numpy.typing as npt
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
 from workbench.messages import Message
-from workbench.pictures.axes import FONT, Extent, UpdatedPicture, label_curves, set_round_ticks
+from workbench.pictures.axes import FONT, Extent, label_curves, set_round_ticks
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.scene import Scene
 
@@ -79,7 +79,7 @@ def values_along(image: Array, cut: Cut) -> Array:
     return np.asarray((1 - down) * upper + down * lower)
 
 
-class SectionCurves(UpdatedPicture):
+class SectionCurves:
     """Irradiance and target along a line across the receiver, on axes of the caller.
 
     The target has the flux of the irradiance, so that the curves compare in shape.
@@ -87,17 +87,15 @@ class SectionCurves(UpdatedPicture):
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._axes = axes
-        self._scene, self._wanted = scene, target
+        self._scene, self._picture = scene, target
         self._target = target_irradiance(scene, target)
-        self._shown: tuple[object, ...] = ()
         self._unit = light_unit(scene)
         label_curves(axes, "", self._unit.words)
         set_round_ticks(axes)
-        (wanted,) = axes.plot(
+        (self.wanted,) = axes.plot(
             [], [], color=_TARGET, linewidth=1.2, linestyle="--", label=Message("target")
         )
-        (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
-        self._target_line, self._light_line = wanted, light
+        (self.light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
         axes.legend(
             loc="upper right",
             fontsize=FONT,
@@ -106,18 +104,13 @@ class SectionCurves(UpdatedPicture):
             handlelength=1.5,
             labelspacing=0.2,
         )
-        self.artists = [wanted, light]
 
-    def update(self, irradiance: Array, cut: Cut) -> bool:
-        """Show an image (n_y, n_x) along a cut; return whether the axes changed."""
+    def update(self, irradiance: Array, cut: Cut) -> None:
+        """Show an image (n_y, n_x) along a cut."""
         flux, factor = self._scene.receiver.total(irradiance), self._unit.density
-        self._light_line.set_data(cut.along, factor * values_along(irradiance, cut))
-        self._target_line.set_data(cut.along, factor * flux * values_along(self._target, cut))
-        top = factor * _HEADROOM * full_scale(self._scene, self._wanted, flux)
-        if self._shown == (cut.name, cut.ends, top):
-            return False
-        self._shown = (cut.name, cut.ends, top)
+        self.light.set_data(cut.along, factor * values_along(irradiance, cut))
+        self.wanted.set_data(cut.along, factor * flux * values_along(self._target, cut))
+        top = factor * _HEADROOM * full_scale(self._scene, self._picture, flux)
         self._axes.set_xlabel(cut.name, fontsize=FONT, labelpad=2)
         self._axes.set_ylim(0, top)
         self._axes.set_xlim(*cut.ends)
-        return True

@@ -20,7 +20,7 @@ from workbench.pictures.axes import (
     UNSIGNED,
     WITHIN,
     Extent,
-    UpdatedPicture,
+    Map,
     colour_bar,
     constant_value,
     map_image,
@@ -198,7 +198,7 @@ ASPECTS = (
 """What can be shown of a face."""
 
 
-class SurfaceImage(UpdatedPicture):
+class SurfaceImage(Map):
     """One aspect of a face on axes of the caller; ``values`` (n_y, n_x) are shown.
 
     The scale begins at zero or is symmetric about it. By default it shows the designed face.
@@ -219,26 +219,22 @@ class SurfaceImage(UpdatedPicture):
         self.values = np.zeros((count_y, count_x))
         colours = SIGNED if aspect.signed else UNSIGNED[1]
         size = (count_x, count_y)
-        extent = Extent.around(optic.half_width, scene.unit)
-        self._image = map_image(axes, aspect.name, extent, size, colours)
+        self.extent = Extent.around(optic.half_width, scene.unit)
+        self.image = map_image(axes, aspect.name, self.extent, size, colours)
         self._scale = 0.0
         unit = aspect.unit.format(scene.unit)
+        self.unit = unit.removeprefix("1 ")
         extend = "both" if aspect.signed else "max"
-        colour_bar(axes, self._image, f"{aspect.name} ({unit})", extend)
-        self.artists = [self._image]
+        colour_bar(axes, self.image, f"{aspect.name} ({unit})", extend)
 
-    def update(self, heights: Array) -> bool:
-        """Show the face with control heights (n_u, n_v); return whether the scale changed."""
+    def update(self, heights: Array) -> None:
+        """Show the face with control heights (n_u, n_v)."""
         shape = local_shape(self._net, heights, self._u, self._v)
         found = self._aspect.of(shape._replace(height=shape.height - self._base)) + self._beside
         self.values = np.asarray(found[:, ::-1].T)
         value = constant_value(found, self._size)
         if value is not None:
             self.values = np.where(np.isnan(self.values), np.nan, value)
-        self._image.set_data(self.values)
-        scale = stable_scale(self.values, self._scale)
-        if scale == self._scale:
-            return False
-        self._scale = scale
-        self._image.set_clim(-scale if self._aspect.signed else 0, scale)
-        return True
+        self.image.set_data(self.values)
+        self._scale = stable_scale(self.values, self._scale)
+        self.image.set_clim(-self._scale if self._aspect.signed else 0, self._scale)

@@ -22,7 +22,7 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     assert window.loaded.views.shared.now.colours == "cividis"
     irradiance = window.loaded.views.around["irradiance"]
     qtbot.waitUntil(lambda: not irradiance.empty, timeout=30_000)
-    qtbot.waitUntil(lambda: irradiance._image.artists[0].get_cmap().name == "cividis")
+    qtbot.waitUntil(lambda: irradiance._image.image.get_cmap().name == "cividis")
     assert settings.value("view/colours") == "cividis"
     other, received = QMainWindow(), []
     qtbot.addWidget(other)

@@ -47,7 +47,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     scene = session.scene
     wanted = irradiance_derivative(scene, {"lens.back": np.full((12, 10), 0.49)}, (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
-    shown = seen._image.artists[0].get_array()
+    shown = seen._image.image.get_array()
     in_unit = wanted.map * light_unit(scene).density
     np.testing.assert_allclose(shown.filled(0), in_unit, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wanted.map == 0)
@@ -60,5 +60,5 @@ def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, q
     qtbot.waitUntil(lambda: seen._answer is not None and not seen.empty, timeout=20_000)
     seen.show_frame(frame(1, of=make_session({"filter": {"kind": "box"}})))
     qtbot.waitUntil(lambda: "filter.kind: 'box' counts rays" in seen._readout.text())
-    qtbot.waitUntil(lambda: seen._image.artists[0].get_array().count() == 0)
+    qtbot.waitUntil(lambda: seen._image.image.get_array().count() == 0)
     qtbot.waitUntil(lambda: seen.empty and "'box' counts rays" in seen._hint.text())

@@ -123,10 +123,10 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
         wanted = validate(session.scene, session.target, {"lens.back": heights}, FEW, screen_z=z)
         assert error == wanted.relative_l2_corrected
     qtbot.waitUntil(
-        lambda: hasattr(curve, "_curve") and len(curve._curve._curve.get_xdata()) == PLACES
+        lambda: hasattr(curve, "_curve") and len(curve._curve.curve.get_xdata()) == PLACES
     )
     np.testing.assert_allclose(
-        curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]
+        curve._curve.curve.get_ydata(), [100 * error for _, error in curve.errors]
     )
     view._slider.setValue(600)
     qtbot.waitUntil(lambda: curve._curve.mark.get_xdata()[0] == view.z)

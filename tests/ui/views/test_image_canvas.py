@@ -32,11 +32,11 @@ def canvas(values, show):
             image.set_extent((right, left, bottom, top))
         image.set_data(values[:, ::-1] if mirrored else values)
         image.set_clim(0, values.max())
-        canvas.animate([image])
+        canvas.recolour()
         show(canvas, width, height)
         canvas.clearFocus()  # which is framed
         canvas.show_part(part)
-        canvas.show_changes(True)
+        canvas.show_changes()
         return canvas
 
     return make
@@ -113,10 +113,10 @@ def test_a_small_picture_of_many_pixels_has_their_mean(show):
     image = map_image(canvas.begin(), "light", Extent((-1, 1, -1, 1), "cm"), (n, n), "gray")
     image.set_data(np.indices((n, n)).sum(axis=0) % 2)  # a chessboard
     image.set_clim(0, 1)
-    canvas.animate([image])
+    canvas.recolour()
     show(canvas, 100, 100)
     canvas.show_part((-1, 1, -1, 1))
-    canvas.show_changes(True)
+    canvas.show_changes()
     middle = painted(canvas)[10:90, 10:90].astype(int)
     assert np.abs(middle - 127).max() <= 2
 

@@ -138,7 +138,7 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(
     views, section, frame, session, qtbot
 ):
     image = frame.state.irradiance
-    light = lambda: section._curves.artists[1].get_ydata()  # noqa: E731
+    light = lambda: section._curves.light.get_ydata()  # noqa: E731
     np.testing.assert_array_equal(light(), 4 * image[16])
     qtbot.mouseClick(
         views[2]._canvas, Qt.MouseButton.LeftButton, pos=place(views[2], 0.40625, -0.65625)
@@ -147,7 +147,7 @@ def test_a_cross_section_goes_through_the_place_that_is_clicked(
     assert " at y = -0.6" in section._curves._axes.get_xlabel()
     choose(section, 1)
     qtbot.waitUntil(lambda: np.array_equal(light(), 4 * image[::-1, 22]))
-    wanted = section._curves.artists[0].get_ydata()
+    wanted = section._curves.wanted.get_ydata()
     assert wanted.max() == pytest.approx(
         4 * image.mean() * 4 * target_irradiance(session.scene, session.target)[:, 22].max()
     )
@@ -169,7 +169,7 @@ def test_a_cross_section_follows_a_line_that_is_drawn(views, section, qtbot, wit
     (x_0, y_0), (x_1, y_1) = link.now.line
     np.testing.assert_allclose((x_0, y_0, x_1, y_1), (-0.5, 0.5, 0.5, -0.25), atol=0.01)
     # A slanted plane stays a straight line.
-    light = section._curves.artists[1].get_ydata()
+    light = section._curves.light.get_ydata()
     np.testing.assert_allclose(np.diff(light), np.diff(light).mean(), rtol=1e-6)
     for view in views:  # what is seen has not moved
         assert limits(view) == (-1, 1, -1, 1)
