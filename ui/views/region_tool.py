@@ -4,7 +4,7 @@ Coordinates are fractions of the receiver's width and height, from its centre.
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,88 +20,63 @@ _EDGE = 0.5
 
 
 class Grip(NamedTuple):
-    """Grabbed part of a region."""
+    """Grabbed corners of a region: one, or both of an edge."""
 
     number: int
-    corners: tuple[int, ...] = ()
-    sides: tuple[int, ...] = ()
+    corners: tuple[int, ...]
 
 
 def grip_at(regions: Sequence[AnyRegion], place: Place, margin: Place) -> Grip | None:
     """Return the edge or corner at a point, of the last region that has one there."""
     for number, region in reversed(list(enumerate(regions))):
-        if isinstance(region, PolygonRegion):
-            corners = _corners_at(np.array(region.corners) / margin, np.array(place) / margin)
-            if corners:
-                return Grip(number, corners=corners)
-        else:
-            sides = _sides_at(_box(region), place, margin)
-            if sides:
-                return Grip(number, sides=sides)
+        corners = _corners_at(_corners_of(region) / margin, np.array(place) / margin)
+        if corners:
+            return Grip(number, corners)
     return None
 
 
 def reshaped(region: AnyRegion, grip: Grip, start: Place, place: Place) -> AnyRegion:
     """The region after its grip was dragged from one point to another."""
+    corners, held, by = _corners_of(region), list(grip.corners), np.subtract(place, start)
     if isinstance(region, PolygonRegion):
-        by = np.subtract(place, start)
-        corners = tuple(
-            _within(np.add(corner, by)) if k in grip.corners else corner
-            for k, corner in enumerate(region.corners)
-        )
-        return region.model_copy(update={"corners": corners})
-    box = _box(region)
-    x, y = _within(place)
-    for side in grip.sides:
-        box[side] = x if side < 2 else y
-    for low, high in ((0, 1), (2, 3)):
-        box[low], box[high] = sorted((box[low], box[high]))
-        if box[high] - box[low] < _LEAST:  # no further than the side across from it
-            return region
-    center, size = _middle_and_size(box)
-    return region.model_copy(update={"center": center, "size": size})
+        moved = {k: _within(corners[k] + by) for k in held}
+        kept = (moved.get(k, corner) for k, corner in enumerate(region.corners))
+        return region.model_copy(update={"corners": tuple(kept)})
+    across = np.ptp(corners[held], axis=0) == 0  # an edge moves across itself alone
+    opposite = [(k + 2) % 4 for k in held]
+    return _framed(region, [*corners[held] + across * by, *corners[opposite]]) or region
 
 
-def between(start: Place, place: Place, name: str) -> RectangleRegion | None:
+def between(start: Place, place: Place, name: str) -> AnyRegion | None:
     """The rectangle between two corners; None if too small to be intended."""
-    (x_0, y_0), (x_1, y_1) = _within(start), _within(place)
-    box = [min(x_0, x_1), max(x_0, x_1), min(y_0, y_1), max(y_0, y_1)]
-    if box[1] - box[0] < _LEAST or box[3] - box[2] < _LEAST:
-        return None
-    center, size = _middle_and_size(box)
-    return RectangleRegion(name=name, center=center, size=size)
+    return _framed(RectangleRegion(name=name), [start, place])
 
 
 def around(corners: Sequence[Place], name: str) -> PolygonRegion | None:
-    """The polygon of corners, without repeated ones; None for less than 3."""
+    """The polygon of these corners without repeated ones; None for less than 3."""
     places = [_within(corner) for corner in corners]
     distinct = tuple(p for k, p in enumerate(places) if p != places[k - 1])
     return PolygonRegion(name=name, corners=distinct) if len(distinct) >= 3 else None
 
 
-def _box(region: AnyRegion) -> list[float]:
-    outline = region.outline
-    (left, bottom), (right, top) = outline.min(axis=0), outline.max(axis=0)
-    return [float(left), float(right), float(bottom), float(top)]
+def _corners_of(region: AnyRegion) -> Array:
+    """Corners (n, 2) of a polygon, or of the rectangle around another region."""
+    if isinstance(region, PolygonRegion):
+        return np.array(region.corners)
+    (left, bottom), (right, top) = region.outline.min(axis=0), region.outline.max(axis=0)
+    return np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
 
 
-def _middle_and_size(box: Sequence[float]) -> tuple[Place, Place]:
-    left, right, bottom, top = box
-    middle = round((left + right) / 2, _DIGITS + 1), round((bottom + top) / 2, _DIGITS + 1)
-    return middle, (round(right - left, _DIGITS), round(top - bottom, _DIGITS))
-
-
-def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, ...]:
-    (x, y), (near_x, near_y) = place, margin
-    left, right, bottom, top = box
-    if not (left - near_x <= x <= right + near_x and bottom - near_y <= y <= top + near_y):
-        return ()
-    held = (
-        min((0, 1), key=lambda side: abs(box[side] - x)),
-        min((2, 3), key=lambda side: abs(box[side] - y)),
+def _framed(region: AnyRegion, places: Sequence[Any]) -> AnyRegion | None:
+    """The region with the bounds of some places; None if too small."""
+    inside = [_within(place) for place in places]
+    low, high = np.min(inside, axis=0), np.max(inside, axis=0)
+    if (high - low < _LEAST).any():
+        return None
+    center, size = ((low + high) / 2).round(_DIGITS + 1), (high - low).round(_DIGITS)
+    return region.model_copy(
+        update={"center": tuple(center.tolist()), "size": tuple(size.tolist())}
     )
-    beside = abs(box[held[0]] - x) <= near_x, abs(box[held[1]] - y) <= near_y
-    return tuple(side for side, there in zip(held, beside, strict=True) if there)
 
 
 def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
@@ -116,8 +91,8 @@ def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
     return (first, (first + 1) % len(corners)) if beside[first] <= 1 else ()
 
 
-def _within(place: Sequence[float] | Array) -> Place:
-    x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
+def _within(place: Any) -> Place:
+    x, y = np.clip(place, -_EDGE, _EDGE).round(_DIGITS).tolist()
     return x, y
 
 
