@@ -84,15 +84,13 @@ class ImageView(PlotView):
         if self._shown is None or event.modifiers() & COMMANDS:
             super().keyPressEvent(event)
             return
-        key = event.key()
-        left, right, bottom, top = self._part()
+        key, part = event.key(), self._part()
         if key in ZOOMS:
-            self._zoom(((left + right) / 2, (bottom + top) / 2), ZOOMS[key])
+            self._zoom(part.mean(axis=1), ZOOMS[key])
         elif key in ARROWS:
-            right_by, up_by = ARROWS[key]
-            right_by *= self._canvas.rightwards
-            dx, dy = _STEP * right_by * (right - left), _STEP * up_by * (top - bottom)
-            self._show_part((left + dx, right + dx, bottom + dy, top + dy))
+            right, up = ARROWS[key]
+            towards = np.array([[self._canvas.rightwards * right], [up]])
+            self._show_part(part + _STEP * towards * np.diff(part))
         elif key == Qt.Key.Key_Home:
             self._shared.show(part=None)
         else:
@@ -130,17 +128,15 @@ class ImageView(PlotView):
             self._adapt()
 
     def _adapt(self) -> None:
-        self._canvas.show_part(self._part())
+        self._canvas.show_part(self._shared.now.part or self._whole())
         if self._pointer is not None:  # at rest, while keys or another design move the image
             self._shared.pointed.emit(self._canvas.place_at(self._pointer))
 
     def _click(self, place: Place) -> None: ...
 
     def _drag(self, touch: Touch, start: Place) -> None:
-        there = self._canvas.place_at(touch.at)
-        left, right, bottom, top = self._part()
-        dx, dy = start[0] - there[0], start[1] - there[1]
-        self._show_part((left + dx, right + dx, bottom + dy, top + dy))
+        gone = np.subtract(start, self._canvas.place_at(touch.at))
+        self._show_part(self._part() + gone[:, None])
 
     def _drop(self) -> None: ...
 
@@ -195,19 +191,11 @@ class ImageView(PlotView):
             elif touch.inside:
                 self._press(touch)
 
-    def _zoom(self, about: Place, steps: float) -> None:
-        left, right, bottom, top = self._part()
-        factor, whole = _ZOOM**-steps, self._whole()
-        if right - left > (whole[1] - whole[0]) / _NEAREST or factor > 1:
-            x, y = about
-            self._show_part(
-                (
-                    x + factor * (left - x),
-                    x + factor * (right - x),
-                    y + factor * (bottom - y),
-                    y + factor * (top - y),
-                )
-            )
+    def _zoom(self, about: Place | Array, steps: float) -> None:
+        part, whole, still = self._part(), np.reshape(self._whole(), (2, 2)), np.array(about)
+        factor = _ZOOM**-steps
+        if np.ptp(part[0]) > np.ptp(whole[0]) / _NEAREST or factor > 1:
+            self._show_part(still[:, None] + factor * (part - still[:, None]))
 
     def _press(self, touch: Touch) -> None:
         self._grip, self._dragged = touch, False
@@ -240,23 +228,20 @@ class ImageView(PlotView):
             self._click(self._grip.place)
         self._grip = None
 
-    def _show_part(self, part: Part) -> None:
-        whole = self._whole()
-        left, right = _within(part[0], part[1], whole[0], whole[1])
-        bottom, top = _within(part[2], part[3], whole[2], whole[3])
-        part = (left, right, bottom, top)
-        self._shared.show(part=None if part == whole else part)
+    def _show_part(self, part: Array) -> None:
+        """Show a part of the image, moved into it; all along an axis where it is larger."""
+        whole = np.reshape(self._whole(), (2, 2))
+        low, high = whole.T
+        size = np.minimum(np.ptp(part, axis=1), high - low)
+        start = np.clip(part[:, 0], low, high - size)
+        shown = np.where((size < high - low)[:, None], np.stack([start, start + size], 1), whole)
+        left, right, bottom, top = shown.ravel().tolist()
+        self._shared.show(part=None if (shown == whole).all() else (left, right, bottom, top))
 
-    def _part(self) -> Part:
-        return self._shared.now.part or self._whole()
+    def _part(self) -> Array:
+        """Ends (2, 2) of the shown part along x and y."""
+        return np.reshape(self._shared.now.part or self._whole(), (2, 2))
 
     def _whole(self) -> Part:
         bounds: Part = self._image.extent.bounds
         return bounds
-
-
-def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:
-    if high - low >= most - least:
-        return least, most
-    shift = max(least - low, 0.0) + min(most - high, 0.0)
-    return low + shift, high + shift

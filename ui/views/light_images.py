@@ -69,8 +69,8 @@ class ScreenImageView(ImageView):
         elif self._shared.now.draft and event.key() in _ENTER:
             self._hand.close()
         elif event.key() in _ENTER and self._shown is not None:
-            left, right, bottom, top = self._part()
-            self._shared.pinned.emit(((left + right) / 2, (bottom + top) / 2))
+            x, y = self._part().mean(axis=1).tolist()
+            self._shared.pinned.emit((x, y))
         else:
             super().keyPressEvent(event)
 
