@@ -282,7 +282,7 @@ def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp
 
 def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
     view = built.loaded.views.scene
-    qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: view._contents is not None, timeout=20_000)
     camera = view._plotter.camera
     before = camera.direction
     for name, direction in (("side", (1, 0, 0)), ("top", (0, -1, 0)), ("axis", (0, 0, -1))):
@@ -296,7 +296,7 @@ def test_a_click_on_the_compass_turns_the_camera_and_a_press_stops_it(
     display, built, qtbot, monkeypatch
 ):
     view = built.loaded.views.scene
-    qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: view._contents is not None, timeout=20_000)
     plotter, picture = view._plotter, view._contents.picture
     plotter.repaint()
     scale, side = plotter.devicePixelRatioF(), view._compass.side

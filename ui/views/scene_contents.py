@@ -20,10 +20,7 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, ControlPoint, Loc
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from workbench.pictures.actors import PointMarkers, Rule
     from workbench.pictures.control_net import ControlNetPicture
-    from workbench.pictures.handles import Handles
-    from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
 
 
@@ -158,24 +155,18 @@ _SCALES = {
     "limits": later("within limits | exceeded"),  # columns of VTK, one over each colour
 }
 _RULES = {True: "#ffffff", False: "#101820"}  # by dark
+Spots = tuple[ControlHeights, Array]
+"""Marked points (n, 3) of a lens, and its heights."""
+
 _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
 
 class SceneContents:
-    """Contents of a plotter."""
+    """Contents of a plotter for one design."""
 
-    def __init__(self, parent: QObject) -> None:
-        self.nets = FaceNets(parent)
-        self.picture: LensPicture | None = None
-        self.handles: Handles | None = None
-        self.sight: Projection | None = None
-        self._dots: PointMarkers | None = None
-        self._rule: Rule | None = None
-        self._marked: tuple[ControlHeights, Array] | None = None
-
-    def begin(
-        self, plotter: Any, session: Session, options: ViewOptions, *, dark: bool
-    ) -> "LensPicture":
+    def __init__(
+        self, plotter: Any, session: Session, options: ViewOptions, nets: FaceNets, *, dark: bool
+    ) -> None:
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers, Rule
         from workbench.pictures.handles import Handles
@@ -192,58 +183,45 @@ class SceneContents:
             perspective=options.perspective,
             by_weight=options.by_weight,
         )
-        self.nets.begin(plotter, session.scene, dark=dark)
-        if self.handles is not None:
-            self.handles.close()
+        self._nets = nets
+        nets.begin(plotter, session.scene, dark=dark)
         self.handles = Handles(plotter, dark=dark)
         self._dots = PointMarkers(plotter, _SPOT)
         self._dots.colour(_SPOTS[dark])
         self._rule = Rule(plotter, _RULES[dark])
         self.sight = Projection(plotter)
-        return self.picture
 
-    def mark(self, heights: ControlHeights, places: Array) -> None:
-        """Mark points (n, 3) of a lens with these heights, while it is shown."""
-        self._marked = heights, places
-
-    def draw(self, frame: Frame, options: ViewOptions, tool: Tool | None) -> None:
-        picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
-        assert picture is not None and handles is not None and dots is not None  # made by `begin`
-        picture.set_colours(options.colours)
+    def draw(
+        self, frame: Frame, options: ViewOptions, tool: Tool | None, spots: Spots | None
+    ) -> None:
+        self.picture.set_colours(options.colours)
         beyond: dict[str, Mask] = {}
         if options.faces == "limits":
             for optic in frame.session.scene.optics:
                 beyond |= exceeding_points(
                     optic, frame.surfaces, frame.state.heights, options.limits
                 )
-        picture.set_faces(options.faces, options.exaggerated, tr(_SCALES[options.faces]), beyond)
+        scale = tr(_SCALES[options.faces])
+        self.picture.set_faces(options.faces, options.exaggerated, scale, beyond)
         paths, lit = some_rays(frame.paths, options.rays), frame.state.irradiance
         further = [light.irradiance for light in frame.state.further]
-        picture.update(frame.surfaces, paths, lit, frame.source, further)
-        here = marked is not None and marked[0] == frame.state.heights
-        if self._rule is not None:
-            self._rule.place(() if tool is None else tool.ruled)
-        dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
-        self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
+        self.picture.update(frame.surfaces, paths, lit, frame.source, further)
+        self._rule.place(() if tool is None else tool.ruled)
+        here = spots is not None and spots[0] == frame.state.heights
+        self._dots.place(spots[1] if spots is not None and here else np.zeros((0, 3)))
+        self._nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         if tool is None or not tool.shows_handles:
-            handles.show(None)
+            self.handles.show(None)
         else:
             own = {"source": frame.source}  # a stage of a run may have its own
-            handles.show(tool.dragged or frame.session.scene.model_copy(update=own))
+            self.handles.show(tool.dragged or frame.session.scene.model_copy(update=own))
 
     def recolour(self, *, dark: bool) -> None:
-        self.nets.recolour(dark)
-        if self.picture is not None:
-            self.picture.recolour(dark)
-        if self.handles is not None:
-            self.handles.recolour(dark)
-        if self._dots is not None:
-            self._dots.colour(_SPOTS[dark])
-        if self._rule is not None:
-            self._rule.colour(_RULES[dark])
+        for part in (self._nets, self.picture, self.handles):
+            part.recolour(dark)
+        self._dots.colour(_SPOTS[dark])
+        self._rule.colour(_RULES[dark])
 
     def close(self) -> None:
-        if self.handles is not None:
-            self.handles.close()
-        self.picture = self.handles = self.sight = self._dots = self._rule = None
-        self.nets.close()
+        self.handles.close()
+        self._nets.close()

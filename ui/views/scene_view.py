@@ -33,7 +33,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy
 from ui.document.frame import Frame, same_task
 from ui.views.flight import Flight
 from ui.views.image_canvas import RING, frame_focused
-from ui.views.scene_contents import SceneContents
+from ui.views.scene_contents import FaceNets, SceneContents, Spots
 from ui.views.shared_view import SharedView
 from ui.views.tools import Pointer, Tool, ToolInput, pixel_at, pointer_at, steer
 from ui.views.view import View
@@ -71,8 +71,9 @@ class SceneView(View):
         self._plotter: Any = None
         self._compass: Compass | None = None
         self._flight = Flight(self, self._fly)
-        self._contents = SceneContents(self)
-        self.nets = self._contents.nets
+        self._contents: SceneContents | None = None
+        self._spots: Spots | None = None
+        self.nets = FaceNets(self)
         self.nets.changed.connect(self._ask)
         self._tool: Tool | None = None
         self._shown: Session | None = None
@@ -126,12 +127,12 @@ class SceneView(View):
     @property
     def handles(self) -> "Handles | None":
         """The handles of source, elements and screen; None before the first drawing."""
-        return self._contents.handles
+        return None if self._contents is None else self._contents.handles
 
     @property
     def sight(self) -> "Projection | None":
         """Projection of the view; None before the first drawing."""
-        return self._contents.sight
+        return None if self._contents is None else self._contents.sight
 
     def use(self, tool: Tool | None) -> None:
         """Give the left button to another tool, or to the camera alone."""
@@ -150,7 +151,7 @@ class SceneView(View):
 
     def part_at(self, at: QPoint) -> "SeenPart | None":
         """Return the part of the scene at a place on the monitor."""
-        if self._shown is None or self._contents.sight is None:
+        if self._shown is None or self._contents is None:
             return None
         from workbench.pictures.handles import part_at
 
@@ -172,10 +173,9 @@ class SceneView(View):
 
     def camera(self) -> dict[str, Any] | None:
         """Where the camera stands, as plain data; None before the first drawing."""
-        picture = self._contents.picture
-        if self._placement is None and picture is not None:
+        if self._placement is None and self._contents is not None:
             self._flight.land()
-            return picture.camera.placement()
+            return self._contents.picture.camera.placement()
         return self._placement
 
     def set_camera(self, placement: dict[str, Any]) -> None:
@@ -191,7 +191,7 @@ class SceneView(View):
 
         It is without the compass.
         """
-        if self._contents.picture is None or self._compass is None:
+        if self._contents is None or self._compass is None:
             return None
         self._compass.show(False)
         self._plotter.render()  # a screenshot is of what was rendered last
@@ -202,13 +202,13 @@ class SceneView(View):
 
     def show_spots(self, heights: ControlHeights, places: Array) -> None:
         """Mark points (n, 3) of a lens with these heights while it is shown."""
-        self._contents.mark(heights, places)
+        self._spots = heights, places
         self._ask()
 
     def fit(self, view: str = "") -> None:
         """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or to the default one."""
-        picture = self._contents.picture
-        if picture is not None:
+        if self._contents is not None:
+            picture = self._contents.picture
             picture.camera.hidden = self._pixels_of_hint()
             picture.camera.choose(self.nets.face)
             before = picture.camera.state()
@@ -217,9 +217,8 @@ class SceneView(View):
             self._flight.begin(before, picture.camera.state())
 
     def _fly(self, before: "CameraState", after: "CameraState", part: float) -> None:
-        picture = self._contents.picture
-        if picture is not None:
-            picture.camera.fly(before, after, part)
+        if self._contents is not None:
+            self._contents.picture.camera.fly(before, after, part)
             self._plotter.update()
 
     def _pixels_of_hint(self) -> int:
@@ -230,7 +229,9 @@ class SceneView(View):
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
         self._closed = True
         self._flight.stop()
-        self._contents.close()
+        if self._contents is not None:
+            self._contents.close()
+            self._contents = None
         if self._plotter is not None and self._compass is not None:
             self._compass.close()
             self._compass = None
@@ -244,10 +245,9 @@ class SceneView(View):
         QTimer.singleShot(0, self, self._fit_again)  # once the plotter has its new size
 
     def _fit_again(self) -> None:
-        picture = self._contents.picture
-        if picture is not None and picture.fitted:
-            picture.camera.hidden = self._pixels_of_hint()
-            picture.fit_again()
+        if self._contents is not None and self._contents.picture.fitted:
+            self._contents.picture.camera.hidden = self._pixels_of_hint()
+            self._contents.picture.fit_again()
             self._plotter.update()  # the plotter may have been painted before the frame came
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -287,8 +287,7 @@ class SceneView(View):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         self._flight.stop()
-        picture = self._contents.picture
-        if picture is not None and steer(picture.camera, event):
+        if self._contents is not None and steer(self._contents.picture.camera, event):
             self._plotter.update()
         else:
             super().keyPressEvent(event)
@@ -299,9 +298,9 @@ class SceneView(View):
             self._shared.picked.emit(point)
 
     def _zoom(self, at: Pointer, notches: float) -> None:
-        picture, sight = self._contents.picture, self._contents.sight
-        if picture is not None and sight is not None:
-            picture.camera.zoom(_NOTCH**notches, sight.point(at.x, at.y))
+        contents = self._contents
+        if contents is not None:
+            contents.picture.camera.zoom(_NOTCH**notches, contents.sight.point(at.x, at.y))
             self._plotter.update()
 
     def _follow_options(self) -> None:
@@ -311,7 +310,7 @@ class SceneView(View):
         self.nets.mark(self._options.point)
         if before.exploded != self._options.exploded:
             self._shown = None
-        if self._contents.picture is not None:
+        if self._contents is not None:
             self._contents.picture.project(self._options.perspective)
             self._contents.picture.colour_rays(self._options.by_weight)
         self._ask()
@@ -323,20 +322,17 @@ class SceneView(View):
             self._open_plotter()
         if frame is None or self._shown is None or not same_task(self._shown, session):
             self._begin(session)
-        self._shown = session
-        self._place_camera(session)
+        self._shown, contents = session, self._contents
+        assert contents is not None  # since it began
+        latest = self._session is None or same_task(session, self._session)
+        if self._placement is not None and latest:
+            contents.picture.camera.place(self._placement)
+            self._placement = None
         if frame is not None:
             if self._tool is not None:
                 self._hint.setText(self._tool.hint)
-            self._contents.draw(frame, self._options, self._tool)
+            contents.draw(frame, self._options, self._tool, self._spots)
         self._plotter.repaint()
-
-    def _place_camera(self, session: Session) -> None:
-        latest = self._session is None or same_task(session, self._session)
-        picture = self._contents.picture
-        if self._placement is not None and picture is not None and latest:
-            picture.camera.place(self._placement)
-            self._placement = None
 
     def _open_plotter(self) -> None:
         from pyvistaqt import QtInteractor
@@ -359,13 +355,17 @@ class SceneView(View):
 
     def _begin(self, session: Session) -> None:
         self._flight.land()
-        space, former = self._space(session.scene), self._contents.picture
-        least = 0.0 if former is None or former.fitted else _FAR
+        space, former = self._space(session.scene), self._contents
+        least = 0.0 if former is None or former.picture.fitted else _FAR
         moved = self._held is None or _moved(self._held, space) > least
-        picture = self._contents.begin(self._plotter, session, self._options, dark=self.is_dark())
+        if former is not None:
+            former.handles.close()
+        self._contents = SceneContents(
+            self._plotter, session, self._options, self.nets, dark=self.is_dark()
+        )
         if moved:
             self._held = space
-            picture.fit()
+            self._contents.picture.fit()
 
     def _space(self, scene: Scene) -> Array:
         from workbench.pictures.camera import scene_corners
@@ -378,7 +378,8 @@ class SceneView(View):
         return compress_distances(scene) if self._options.exploded else scene
 
     def _recolour(self) -> None:
-        self._contents.recolour(dark=self.is_dark())
+        if self._contents is not None:
+            self._contents.recolour(dark=self.is_dark())
 
 
 def _moved(before: Array, after: Array) -> float:
