@@ -104,14 +104,14 @@ def test_shortcuts_are_unique():
 
 def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
     path = tmp_path / "mine.freeform"
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: path)
     editor(window.forms, "images[0].receiver.position[2]").setText("8")
     window.commands["save"].trigger()
     assert read_session(path).scene.receiver.z == 8
 
 
 def test_a_save_that_fails_is_reported(window, tmp_path, monkeypatch):
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "no" / "a.freeform")
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: tmp_path / "no" / "a.freeform")
     window.commands["save"].trigger()
     assert str(tmp_path / "no") in window.messages.text
     assert window.messages.isVisible()
@@ -125,7 +125,7 @@ def test_closing_asks_before_changes_are_lost(
     window, answers, answer, closed, saved, tmp_path, monkeypatch
 ):
     path = tmp_path / "mine.freeform"
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: path)
     edit(window, 7)
     answers.append(answer)
     assert window.close() is closed
@@ -268,7 +268,7 @@ def test_a_run_that_cannot_begin_is_reported(built, qtbot, monkeypatch):
 @pytest.mark.parametrize(("answer", "saved"), [(SAVE, True), (DISCARD, False)])
 def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp_path, monkeypatch):
     path = tmp_path / "run.freeform"
-    monkeypatch.setattr(built.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(built.dialogs, "to_save", lambda *_: path)
     built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
     built.commands["start"].trigger()
     qtbot.wait(100)

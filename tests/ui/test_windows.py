@@ -98,7 +98,7 @@ def test_quit_waits_for_a_run_whose_lens_shall_be_saved(
     first, second = two
     _, answers = asked
     path = tmp_path / "mine.freeform"
-    monkeypatch.setattr(first.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(first.dialogs, "to_save", lambda *_: path)
     windows._build_all()
     first.start()
     qtbot.waitUntil(lambda: first.loaded.control.runner.state == "running", timeout=60_000)
@@ -113,7 +113,7 @@ def test_quit_waits_for_a_run_whose_lens_shall_be_saved(
 def test_quit_is_cancelled_when_a_lens_cannot_be_saved(windows, two, asked, monkeypatch, qtbot):
     first, second = two
     _, answers = asked
-    monkeypatch.setattr(first.files, "ask_for_name", lambda: None)
+    monkeypatch.setattr(first.dialogs, "to_save", lambda *_: None)
     windows._build_all()
     first.start()
     qtbot.waitUntil(lambda: first.loaded.control.runner.state == "running", timeout=60_000)
@@ -130,7 +130,7 @@ def test_a_file_open_in_another_window_is_not_overwritten(windows, two, tmp_path
     path = tmp_path / "mine.freeform"
     first.document.save(path)
     before = path.read_bytes()
-    monkeypatch.setattr(second.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(second.dialogs, "to_save", lambda *_: path)
     assert not second.files.save_as()
     assert "another window" in second.messages.text
     assert path.read_bytes() == before

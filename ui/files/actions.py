@@ -203,7 +203,9 @@ class FileActions(QObject):
 
     def save_as(self) -> bool:
         """Ask for a file and write the design to it; False if not saved."""
-        path = self.ask_for_name()
+        name = self._document.suggested_path.name
+        endings = {tr(_SAVED).format(endings=f"*{ENDING}"): ENDING}
+        path = self._dialogs.to_save(_KIND, tr("Save as"), name, endings)
         if path is None:
             return False
         if path.suffix != ENDING:  # adding it now might overwrite a file without a question
@@ -212,12 +214,6 @@ class FileActions(QObject):
             )
             return False
         return self._write(path)
-
-    def ask_for_name(self) -> Path | None:
-        name = self._document.suggested_path.name
-        return self._dialogs.to_save(
-            _KIND, tr("Save as"), name, {tr(_SAVED).format(endings=f"*{ENDING}"): ENDING}
-        )
 
     def may_leave(self) -> bool:
         """Ask about unsaved changes; False if cancelled or not saved."""

@@ -33,6 +33,8 @@ from workbench.scene import Scene
 class LensWriter(FileWriter):
     """Writes the lens."""
 
+    _KIND = ""  # of files, for dialogs
+
     def __init__(self, lens: CurrentLens, dialogs: FileDialogs) -> None:
         super().__init__(dialogs)
         self._lens = lens
@@ -48,17 +50,23 @@ class LensWriter(FileWriter):
             return None
         return self._document.verified.complete(session)
 
+    def _ask_for_file(self, title: str, endings: Mapping[str, str]) -> Path | None:
+        """Ask for a file; a name without an ending gets that of the chosen format."""
+        title = title.format(lens=self._lens.text)
+        return self._dialogs.to_save(self._KIND, title, self._document.name, endings)
+
 
 class Exporter(LensWriter):
     """Asks for a file and writes it."""
 
-    _WORK = later("export")
+    _WORK, _KIND = later("export"), "export"
     ask_options: Callable[[Session, Format], Chosen | None]  # set by the window
 
     def choose_and_export(self) -> None:
         """Ask for a file, and the element where there are several, and write it."""
         self._dialogs.chosen = ""
-        path = self.ask_for_name()
+        endings = self._filters(MILLIMETRES) | self._filters(SCENE_UNIT)
+        path = self._ask_for_file(tr("Export {lens}"), endings)
         if path is not None:
             in_scene_unit = self._dialogs.chosen in self._filters(SCENE_UNIT)
             self.export(path, mesh_unit=SCENE_UNIT if in_scene_unit else MILLIMETRES)
@@ -72,9 +80,7 @@ class Exporter(LensWriter):
         elements = self.ask_for_elements(session.scene, several=False)
         chosen = self._options_of(session, elements, GCODE)
         if chosen is not None:
-            title, name = tr("Cut {lens}").format(lens=self._lens.text), self._document.name
-            endings = {_filter(GCODE): GCODE.endings[0]}
-            path = self._dialogs.to_save("export", title, name, endings)
+            path = self._ask_for_file(tr("Cut {lens}"), {_filter(GCODE): GCODE.endings[0]})
             if path is not None:
                 self._write(session, {path: elements[0]}, chosen)
 
@@ -136,12 +142,6 @@ class Exporter(LensWriter):
         title = tr("Export {name}").format(name=", ".join(path.name for path in files))
         work = partial(_write, session, files, chosen, mesh_unit, self._lens.text)
         self.background.begin(work, title=title)
-
-    def ask_for_name(self) -> Path | None:
-        """Ask for a file; a name without an ending gets that of the chosen format."""
-        endings = self._filters(MILLIMETRES) | self._filters(SCENE_UNIT)
-        title, name = tr("Export {lens}").format(lens=self._lens.text), self._document.name
-        return self._dialogs.to_save("export", title, name, endings)
 
     def _filters(self, mesh_unit: str) -> dict[str, str]:
         session = self._document.session
@@ -214,11 +214,12 @@ _REPORT_FILTERS = later({"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0
 class Reporter(LensWriter):
     """Asks for a file and writes a report, by a process."""
 
-    _WORK = later("report")
+    _WORK, _KIND = later("report"), "report"
 
     def choose_and_report(self) -> None:
         """Ask for a file and write it; the ending of its name selects the format."""
-        path = self.ask_for_name()
+        endings = {tr(text): ending for text, ending in _REPORT_FILTERS.items()}
+        path = self._ask_for_file(tr("Report {lens}"), endings)
         if path is not None:
             self.report(path)
 
@@ -229,13 +230,6 @@ class Reporter(LensWriter):
         name = self._document.suggested_path.stem
         work = partial(_write_report, session, name, path, self._lens.text)
         self.background.begin(work, title=tr("Report {name}").format(name=path.name))
-
-    def ask_for_name(self) -> Path | None:
-        """Ask for a file; a name without an ending gets that of the chosen format."""
-        title, name = tr("Report {lens}").format(lens=self._lens.text), self._document.name
-        return self._dialogs.to_save(
-            "report", title, name, {tr(k): e for k, e in _REPORT_FILTERS.items()}
-        )
 
 
 def _write_report(session: Session, name: str, path: Path, lens_text: str, task: Task) -> None:

@@ -110,7 +110,10 @@ class Plots(_PictureFiles):
 
     def choose_and_save_plot(self, name: str) -> None:
         """Ask for a file and save a plot there, whichever was touched last."""
-        path = self.ask_for_name(name)
+        title = tr("Save {pane} plot").format(pane=_in_words(name))
+        known = self._plots[name].ENDINGS
+        endings = {tr(text): ending for text, ending in _FILTERS.items() if ending in known}
+        path = self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
         if path is not None:
             self.save(name, path)
 
@@ -130,13 +133,6 @@ class Plots(_PictureFiles):
             )
         else:
             self._write(path, lambda file: plot.write(file, ending.removeprefix(".")))
-
-    def ask_for_name(self, name: str) -> Path | None:
-        """Ask for a file; a name without an ending gets that of the chosen kind."""
-        known = self._plots[name].ENDINGS
-        title = tr("Save {pane} plot").format(pane=_in_words(name))
-        endings = {tr(text): ending for text, ending in _FILTERS.items() if ending in known}
-        return self._dialogs.to_save("plot", title, f"{self._document.name} {name}", endings)
 
     def _touch(self, name: str) -> None:
         self._last = name
@@ -222,26 +218,21 @@ class ScenePictures(_PictureFiles):
         return {"copy_scene": self.copy, "save_scene": self.choose_and_save}
 
     def copy(self) -> None:
-        image = self._image(1)
+        image = self._image(1) if self._is_shown() else None
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
             self._messages.done(tr("A picture of the 3D scene is on the clipboard."))
 
     def choose_and_save(self) -> None:
         """Ask for a file and save the picture there, magnified for print."""
-        path = self.ask_for_name() if self._is_shown() else None
-        if path is not None:
-            self.save(path)
-
-    def save(self, path: Path) -> None:
-        image = self._image(max(1, round(_WIDE / self._view.width())))
-        if image is not None:
+        if not self._is_shown():
+            return
+        name, filters = f"{self._document.name} 3D", {tr(_PICTURE): _PNG}
+        path = self._dialogs.to_save("plot", tr("Save picture of 3D"), name, filters)
+        image = None if path is None else self._image(max(1, round(_WIDE / self._view.width())))
+        if path is not None and image is not None:
             size = f" ({image.width()} × {image.height()})"
             self._write(path, lambda file: file.write(png_bytes(image)), size)
-
-    def ask_for_name(self) -> Path | None:
-        name, filters = f"{self._document.name} 3D", {tr(_PICTURE): _PNG}
-        return self._dialogs.to_save("plot", tr("Save picture of 3D"), name, filters)
 
     def _is_shown(self) -> bool:
         if not self._view.isVisible():
@@ -249,8 +240,6 @@ class ScenePictures(_PictureFiles):
         return self._view.isVisible()
 
     def _image(self, times: int) -> QImage | None:
-        if not self._is_shown():
-            return None
         QGuiApplication.setOverrideCursor(QCursor(Qt.CursorShape.WaitCursor))
         try:
             pixels = self._view.picture(times)

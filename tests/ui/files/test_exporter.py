@@ -23,7 +23,7 @@ def window(open_window, designed):
 
 
 def export(window, path, qtbot, monkeypatch):
-    monkeypatch.setattr(window.exporter, "ask_for_name", lambda: path)
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: path)
     window.commands["export"].trigger()
     qtbot.waitUntil(lambda: not window.exporter.background.busy, timeout=60_000)
 

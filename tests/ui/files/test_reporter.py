@@ -43,7 +43,7 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
     path = tmp_path / "there.html"
     copy = "import shutil; shutil.copy(lens, report); open(report, 'a').write(lens)"
     monkeypatch.setattr(exporter, "_COMMAND", as_command(copy))
-    monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: path)
     window.commands["report"].trigger()
     assert window.early.shelf.running[0].title == "Report there.html"
     qtbot.waitUntil(lambda: window.messages.text.startswith(f"{path}: report; "), timeout=30_000)

@@ -8,7 +8,6 @@ from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWhee
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
-from ui.files.plots import ScenePictures
 from workbench.optics.plan import Plan
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -246,7 +245,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     np.testing.assert_allclose(frames[0].snapshot.state.heights["lens.back"], shaped, atol=0.1)
 
     file = tmp_path / "lens.png"
-    monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)
+    monkeypatch.setattr(window.dialogs, "to_save", lambda *_: file)
     size = view._plotter.size() * view.devicePixelRatioF()  # less, below a message
     commands["save_scene"].trigger()
     assert QImage(str(file)).size() == size * round(1800 / view.width())

@@ -48,7 +48,7 @@ def stop(window, qtbot):
 
 def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, monkeypatch):
     path = tmp_path / "mine.freeform"
-    monkeypatch.setattr(running.files, "ask_for_name", lambda: path)
+    monkeypatch.setattr(running.dialogs, "to_save", lambda *_: path)
     assert running.commands["save"].isEnabled()
     running.commands["save"].trigger()
     saved = read_session(path)
