@@ -40,7 +40,6 @@ class _Drag:
 class MoveSource(Tool):
     """The tool for source, elements, thicknesses of lenses, and distance of the screen."""
 
-    begun = Signal()
     moved = Signal(object, str)  # Scene, text of the step
     cancelled = Signal()
 
@@ -114,7 +113,6 @@ class MoveSource(Tool):
         scene = self._scene()
         if scene is not None:
             self._drag = _Drag(scene, handle, at, np.zeros(3))
-            self.begun.emit()
 
     def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
         optic = self._view.optic

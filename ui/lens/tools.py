@@ -45,27 +45,15 @@ class Draft:
     settled: bool = False
 
 
-class LiveLens(QObject):
-    """Traces drafts in a thread, the latest next."""
-
-    traced = Signal(object, object)  # Draft, Frame
-    failed = Signal(str)
+class LiveLens(Background):
+    """Traces drafts in a thread, the latest next, to frames."""
 
     def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._background = Background(later("ray trace"), self, finish_first=True)
-        self._background.done.connect(self.traced)
-        self._background.failed.connect(self._give_up)
+        super().__init__(later("ray trace"), parent, finish_first=True)
         self._evaluator: Evaluator | None = None
 
     def show(self, draft: Draft) -> None:
-        self._background.begin(partial(self._trace, draft), draft)
-
-    def forget(self) -> None:
-        self._background.cancel()
-
-    def close(self) -> None:
-        self._background.close()
+        self.begin(partial(self._trace, draft), draft)
 
     def _trace(self, draft: Draft, task: Task) -> Frame:
         session, heights = draft.session, draft.heights
@@ -76,10 +64,6 @@ class LiveLens(QObject):
                 self._evaluator = there = Evaluator(scene, target, heights)
             snapshot = there.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
-
-    def _give_up(self, sentence: str) -> None:
-        if not self._background.busy:  # else a later draft is traced
-            self.failed.emit(sentence)
 
 
 _BUSY = later("Stop the run first, then sculpt the {optic}.")
@@ -113,7 +97,7 @@ class LensTools(QObject):
         self._tool: Tool | None = None
         lock.painted.connect(self._store_locks)
         self._live = LiveLens(self)
-        self._live.traced.connect(self._show_traced)
+        self._live.done.connect(self._show_traced)
         self._live.failed.connect(self._give_up)
         self._shaping = False  # a drag goes on
         self._settling: Draft | None = None  # let go, not traced yet
@@ -145,7 +129,6 @@ class LensTools(QObject):
 
     def _move_source(self) -> MoveSource:
         tool = MoveSource(self._view, self._movable, self)
-        tool.begun.connect(self._count)
         tool.moved.connect(self._move)
         tool.cancelled.connect(self._move_back)
         return tool
@@ -208,15 +191,14 @@ class LensTools(QObject):
         self._live.show(draft)
 
     def _movable(self) -> Scene | None:
+        """The scene to move parts of in a new drag; None if that is not possible now."""
         if not self._is_idle():
             return None
         if self._view.exploded:
             self.message.emit(tr(_NOT_TO_SCALE))
             return None
-        return self._document.session.scene
-
-    def _count(self) -> None:
         self._drags += 1
+        return self._document.session.scene
 
     @property
     def _key(self) -> str:
@@ -236,7 +218,7 @@ class LensTools(QObject):
         self._live.show(Draft(session, _lens_of(session), session.result))
 
     def _move_back(self) -> None:
-        self._live.forget()
+        self._live.cancel()
         if self._control.busy:  # a run that began in the midst of the drag keeps what it began with
             return
         steps = self._document.undo_stack
@@ -262,6 +244,8 @@ class LensTools(QObject):
             self._as_own(lambda: self._document.set_result(frame.result, text))
 
     def _give_up(self, sentence: str) -> None:
+        if self._live.busy:  # with a later draft
+            return
         self.message.emit(sentence)
         if self._settling is not None:
             self._settling = None
@@ -300,7 +284,7 @@ class LensTools(QObject):
         if not self._own:
             self._view.drop()
             self._settling = None  # what is taken back settles where it began
-            self._live.forget()
+            self._live.cancel()
 
 
 def _differ_by_source(one: Session, other: Session) -> bool:

@@ -80,10 +80,8 @@ class FocusCurveView(PlotView, ComputingView):
         self._z = z
         self._ask()
 
-    def show_frame(self, frame: Frame) -> None:
-        """Take note of a frame, which is drawn once its errors come."""
-        self._frame = frame
-        self._want()
+    def _differs(self, before: Frame | None, frame: Frame) -> bool:
+        return False  # it is drawn once its errors come
 
     def _seen(self) -> bool:
         at_a_distance = self._frame is not None and self._frame.session.scene.receiver.at_distance

@@ -233,8 +233,8 @@ class PinnedView(IrradianceView):
     _NOTHING = later("Nothing is pinned. The pin below the image of light pins it.")
     _WAITING = _NOTHING
 
-    def show_frame(self, frame: Frame) -> None:
-        self._frame = frame
+    def _differs(self, before: Frame | None, frame: Frame) -> bool:
+        return False
 
     def show_outdated(self, outdated: bool) -> None:
         """Stay as it is: the image is of its own design."""
@@ -272,14 +272,13 @@ class TargetView(LightImageView):
         self._flux = 0.0  # as drawn
         self.setToolTip(tr(_TIP))
 
-    def show_frame(self, frame: Frame) -> None:
-        before, self._frame = self._frame, frame
-        self._untraced = False
+    def _differs(self, before: Frame | None, frame: Frame) -> bool:
         flux = _flux(frame)
         same = before is not None and same_task(before.session, frame.session)
-        if not same or abs(flux - self._flux) > _SAME * flux:
-            self._flux = flux
-            self._ask()
+        if same and abs(flux - self._flux) <= _SAME * flux:
+            return False
+        self._flux = flux
+        return True
 
     def _shown_array(self, frame: Frame) -> Array:
         return target_irradiance(frame.session.scene, frame.session.target, _flux(frame))

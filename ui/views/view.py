@@ -121,8 +121,9 @@ class View(QWidget):
             self._ask()
 
     def show_frame(self, frame: Frame) -> None:
-        self._frame = frame
-        self._ask()
+        before, self._frame = self._frame, frame
+        if self._differs(before, frame):
+            self._ask()
 
     def show_nothing(self, session: Session) -> None:
         self._session, self._frame = session, None
@@ -169,6 +170,10 @@ class View(QWidget):
 
     def _is_behind(self) -> bool:
         return False
+
+    def _differs(self, before: Frame | None, frame: Frame) -> bool:
+        """Whether a frame looks other than the one that was shown before."""
+        return True
 
     def _number(self, session: Session) -> int:
         return self._shared.number_in(session.scene)

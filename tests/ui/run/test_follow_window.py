@@ -85,7 +85,7 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     follow, source = window.loaded.follow, before.scene.source
     qtbot.waitUntil(lambda: follow.text == "")
     before = window.document.session
-    tools._count()
+    assert tools._movable() is not None  # a drag begins
     for x in (0.02, 0.04, 0.06):
         moved = source.model_copy(update={"position": (x, 0.0, -4.0)})
         tools._move(before.scene.model_copy(update={"source": moved}), "Move source")
