@@ -206,8 +206,8 @@ class MainWindow(QMainWindow):
         if self.forms.postponed_edits:
             question += tr(" Changes that wait for the end of the run are discarded.")
         answer = self.files.ask(question)
-        if answer is not Answer.SAVE:
-            return answer is Answer.DISCARD
+        if answer != Answer.Save:
+            return answer == Answer.Discard
         self.forms.drop_postponed_edits()
         if not self._busy:  # it ended while the question stood
             return self.files.save()

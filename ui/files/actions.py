@@ -103,12 +103,8 @@ _SAVED = later("Designs ({endings})")
 _KIND = "design"  # of files, for dialogs
 
 
-class Answer(Enum):
-    """Answer for unsaved changes."""
-
-    SAVE = QMessageBox.StandardButton.Save
-    DISCARD = QMessageBox.StandardButton.Discard
-    CANCEL = QMessageBox.StandardButton.Cancel
+Answer = QMessageBox.StandardButton
+"""Answers about unsaved changes: to save or to discard them, or to cancel."""
 
 
 class FileActions(QObject):
@@ -220,15 +216,14 @@ class FileActions(QObject):
         if not self._document.dirty:
             return True
         answer = self.ask(tr("Save the changes to {name}?").format(name=self._document.name))
-        return answer is Answer.DISCARD or (answer is Answer.SAVE and self.save())
+        return answer == Answer.Discard or (answer == Answer.Save and self.save())
 
     def ask(self, question: str) -> Answer:
-        buttons = Answer.SAVE.value | Answer.DISCARD.value | Answer.CANCEL.value
-        given = QMessageBox.question(
-            self._dialogs.window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
+        buttons = Answer.Save | Answer.Discard | Answer.Cancel
+        # A program that is ended closes it without one of them.
+        return QMessageBox.question(
+            self._dialogs.window, tr("Unsaved changes"), question, buttons, Answer.Save
         )
-        # A program that is ended closes it without an answer.
-        return next((each for each in Answer if each.value == given), Answer.CANCEL)
 
     def _write(self, path: Path) -> bool:
         if self.find_other(path) is not None:  # which would not know of it

@@ -115,7 +115,7 @@ def test_a_picture_that_cannot_be_read_is_stated_and_does_not_begin(window, page
     assert not page._refusal.isVisible()
 
 
-@pytest.mark.parametrize("answer", [Answer.CANCEL, Answer.DISCARD])
+@pytest.mark.parametrize("answer", [Answer.Cancel, Answer.Discard])
 def test_a_job_replaces_unsaved_work_only_after_a_question(
     window, page, qtbot, monkeypatch, answer
 ):
@@ -130,7 +130,7 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
     with qtbot.waitSignal(page.begun):
         page.begin()
     assert asked == ["Save the changes to small?"]
-    kept = answer is Answer.CANCEL
+    kept = answer == Answer.Cancel
     end_marks(window)
     assert (window.document.session is before) is kept
     assert start.isVisible() is kept and page.isVisible() is kept
