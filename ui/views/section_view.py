@@ -61,8 +61,7 @@ class SectionView(PlotView):
         self._mark()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self._shared.show(pin=None)
-        self._shared.show(line=None)
+        self._shared.show(pin=None, line=None)
         super().hideEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -96,22 +95,21 @@ class SectionView(PlotView):
     def _mark(self) -> None:
         if self.isVisible():
             by_line = self._along == "line"
-            self._shared.show(line=self._line if by_line else None)
-            self._shared.show(pin=None if by_line else self._place)
+            pin, line = (None, self._line) if by_line else (self._place, None)
+            self._shared.show(pin=pin, line=line)
 
     def _pin(self, place: Place) -> None:
         if self.isVisible() and self._along != "line":
             self._place = place
-            self._shared.show(pin=place)
-            self._ask()
+            self._turn()
 
     def _follow(self) -> None:
         if self._shared.now.number != self._image_number:
             self._image_number = self._shared.now.number
             self._ask()
-        if self.isVisible() and self._shared.now.line not in (None, self._line):
-            assert self._shared.now.line is not None
-            self._show_line(self._shared.now.line)
+        line = self._shared.now.line
+        if self.isVisible() and line is not None and line != self._line:
+            self._show_line(line)
 
     def _show_line(self, line: Line) -> None:
         self._line = line
