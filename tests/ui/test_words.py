@@ -98,7 +98,7 @@ def test_the_system_chooses_the_first_language_that_there_is(monkeypatch, wanted
             "fr",
             "&Fichier",
             "Vérifier la &lentille",
-            "Éclairement énergétique",
+            "Éclairement",
             "Taille",
             "Annuler",
         ),
