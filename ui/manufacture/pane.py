@@ -30,6 +30,7 @@ from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.progress import finished, of_equal, within
 
+_LATER = later("Computed when the design rests…")
 _PLACES = 193  # of a map along the longer side of the lens
 _TIPS = later(
     (
@@ -54,10 +55,8 @@ class _DrawnMap(NamedTuple):
 class FaceMap(FaceMapView):
     """Map of a face, one of `MAPS`."""
 
-    _WAITING = later("Computed when the design rests…")
-
     def __init__(self) -> None:
-        self._limits = Limits()
+        self._limits, self._awaited = Limits(), tr(_LATER)
         self._maps: Mapping[str, SurfaceMaps] = {}
         hatched = [*(len(MAPS) - 1) * [tr("; hatched where a limit is exceeded")], ""]
         names = zip(MAPS, _TIPS, hatched, strict=True)
@@ -69,6 +68,12 @@ class FaceMap(FaceMapView):
         self.show_frame(frame)
         self._choose()
 
+    def wait(self, why: str) -> None:
+        """Say why there is no map yet."""
+        self._awaited = why
+        if self._frame is None:
+            self._ask()
+
     def show_limits(self, limits: Limits) -> None:
         if limits != self._limits:
             self._limits = limits
@@ -77,6 +82,9 @@ class FaceMap(FaceMapView):
     def show_nothing(self, session: Session) -> None:
         self._maps = {}
         super().show_nothing(session)
+
+    def _why_empty(self, frame: Frame | None) -> str:
+        return "" if frame is not None else self._awaited
 
     def _new_image(self, axes: Axes, session: Session) -> "_DrawnMap":
         name, unit, maps = MAPS[self.quantity], session.scene.unit, self._maps.get(self.faces.face)
@@ -151,6 +159,7 @@ class ManufacturePane(ComputingView):
         self.figures.show_remark(sentence)
 
     def _show_state(self) -> None:
+        self.map.wait(tr("Computing…") if self.background.busy else tr(_LATER))
         if self.background.busy:
             self.figures.show_remark(tr("Computing the figures…"))
         else:

@@ -102,7 +102,10 @@ class ImageView(PlotView):
             self._shared.show(part=None)
 
     def _change(self, frame: Frame) -> None:
-        self._image.update(self._shown_array(frame))
+        self._show_array(self._shown_array(frame))
+
+    def _show_array(self, array: Array | None) -> None:
+        self._image.update(array)
         self._values = self._image.values
         self._read()
 

@@ -263,7 +263,7 @@ _SAME = 1e-3  # relative change of the flux that is not visible
 
 
 class TargetView(LightImageView):
-    """The target as irradiance or intensity, with the flux that arrives."""
+    """The target as irradiance or intensity, with the flux that arrives; before a lens with all."""
 
     _NAME = "target"
 
@@ -279,6 +279,13 @@ class TargetView(LightImageView):
             return False
         self._flux = flux
         return True
+
+    def _begin(self, axes: Axes, session: Session) -> None:
+        super()._begin(axes, session)
+        self._show_array(target_irradiance(session.scene, session.target, 1.0))
+
+    def _why_empty(self, frame: Frame | None) -> str:
+        return ""
 
     def _shown_array(self, frame: Frame) -> Array:
         return target_irradiance(frame.session.scene, frame.session.target, _flux(frame))

@@ -39,6 +39,15 @@ def views(frame, show, qtbot):
     yield views
 
 
+def test_the_target_is_shown_before_there_is_a_lens(session, show, qtbot):
+    view = TargetView()
+    view.show_design(session)
+    show(view, 380, 320)
+    qtbot.waitUntil(lambda: not view.empty)
+    wanted = target_irradiance(session.scene, session.target, 1.0)
+    assert view._values / view._values.max() == pytest.approx(wanted / wanted.max())
+
+
 @pytest.fixture
 def section(views, frame, show, qtbot):
     """A cross-section of the same light, drawn."""
