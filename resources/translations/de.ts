@@ -1230,16 +1230,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/comparison.py" />
-            <source>Save &amp;corrected part…</source>
-            <translation>&amp;Korrigiertes Teil speichern …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/comparison.py" />
-            <source>Write a design whose face makes good what repeats in the parts</source>
-            <translation>Schreibt einen Entwurf, dessen Fläche ausgleicht, was sich an den Teilen wiederholt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/comparison.py" />
             <source>Made beside designed</source>
             <translation>Gefertigt neben entworfen</translation>
         </message>
@@ -1287,6 +1277,11 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, maßstäblich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>estimate</source>
+            <translation>Schätzung</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/estimate.py" />
@@ -1370,11 +1365,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>estimate</source>
-            <translation>Schätzung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/job_page.py" />
             <source>B&amp;ack</source>
             <translation>&amp;Zurück</translation>
         </message>
@@ -1390,13 +1380,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>Picture</source>
-            <translation>Motiv</translation>
+            <source>File of light</source>
+            <translation>Lichtdatei</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>File of light</source>
-            <translation>Lichtdatei</translation>
+            <source>Picture</source>
+            <translation>Motiv</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/measured.py" />
@@ -1422,6 +1412,16 @@
             <location filename="../../ui/dialogs/measured.py" />
             <source>Comparison with {file}</source>
             <translation>Vergleich mit {file}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Write a design whose face makes good what repeats in the parts</source>
+            <translation>Schreibt einen Entwurf, dessen Fläche ausgleicht, was sich an den Teilen wiederholt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Save &amp;corrected part…</source>
+            <translation>&amp;Korrigiertes Teil speichern …</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/measured.py" />
@@ -1635,13 +1635,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>&amp;Open design</source>
-            <translation>&amp;Entwurf öffnen</translation>
+            <source>Open the session of the selected row</source>
+            <translation>Sitzung der gewählten Zeile öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>Open the session of the selected row</source>
-            <translation>Sitzung der gewählten Zeile öffnen</translation>
+            <source>&amp;Open design</source>
+            <translation>&amp;Entwurf öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -1795,13 +1795,13 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name}: a design file ends in {ending}</source>
-            <translation>{name}: eine Entwurfsdatei endet auf {ending}</translation>
+            <source>Save as</source>
+            <translation>Speichern unter</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>Save as</source>
-            <translation>Speichern unter</translation>
+            <source>{name}: a design file ends in {ending}</source>
+            <translation>{name}: eine Entwurfsdatei endet auf {ending}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1875,6 +1875,11 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
+            <source>Export {lens}</source>
+            <translation>Exportieren: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Fräsen: {lens}</translation>
         </message>
@@ -1905,11 +1910,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Export {lens}</source>
-            <translation>Exportieren: {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>No file was written.</source>
             <translation>Keine Datei geschrieben.</translation>
         </message>
@@ -1935,13 +1935,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Report {name}</source>
-            <translation>Bericht: {name}</translation>
+            <source>Report {lens}</source>
+            <translation>Bericht: {lens}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Report {lens}</source>
-            <translation>Bericht: {lens}</translation>
+            <source>Report {name}</source>
+            <translation>Bericht: {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2000,13 +2000,13 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>{name}: a plot is saved as one of {known}</source>
-            <translation>{name}: ein Diagramm wird als eines von {known} gespeichert</translation>
+            <source>Save {pane} plot</source>
+            <translation>Diagramm „{pane}“ speichern</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Save {pane} plot</source>
-            <translation>Diagramm „{pane}“ speichern</translation>
+            <source>{name}: a plot is saved as one of {known}</source>
+            <translation>{name}: ein Diagramm wird als eines von {known} gespeichert</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2335,11 +2335,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Limit: {label}</source>
-            <translation>Grenze: {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>✓ met</source>
             <translation>✓ erfüllt</translation>
         </message>
@@ -2430,6 +2425,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit: {label}</source>
+            <translation>Grenze: {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
             <source>Lens</source>
             <translation>Linse</translation>
         </message>
@@ -2465,6 +2465,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Wird berechnet, sobald der Entwurf ruht …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Dicke entlang z</translation>
         </message>
@@ -2490,11 +2495,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Computed when the design rests…</source>
-            <translation>Wird berechnet, sobald der Entwurf ruht …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; schraffiert, wo eine Grenze verletzt ist</translation>
         </message>
@@ -2510,8 +2510,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Outdated; recomputed when the design rests.</source>
-            <translation>Veraltet; wird neu berechnet, wenn der Entwurf ruht.</translation>
+            <source>Analysis of the face</source>
+            <translation>Analyse der Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computing…</source>
+            <translation>Berechnung …</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -2520,8 +2525,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Analysis of the face</source>
-            <translation>Analyse der Fläche</translation>
+            <source>Outdated; recomputed when the design rests.</source>
+            <translation>Veraltet; wird neu berechnet, wenn der Entwurf ruht.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
@@ -2625,16 +2630,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Save…</source>
-            <translation>Speichern …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
-            <translation>Das Diagramm (PNG, SVG) oder die Zahlen jeder Linse (CSV, JSON) speichern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>over</source>
             <translation>über</translation>
         </message>
@@ -2647,6 +2642,16 @@
             <location filename="../../ui/manufacture/tolerance_pane.py" />
             <source>All tolerances are zero. Enter a tilt, a decentre or another tolerance.</source>
             <translation>Alle Toleranzen sind null. Eine Verkippung, Dezentrierung oder andere Toleranz eingeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Save…</source>
+            <translation>Speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Das Diagramm (PNG, SVG) oder die Zahlen jeder Linse (CSV, JSON) speichern</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -2825,6 +2830,16 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
+            <source>change of target image</source>
+            <translation>Zielbild ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>change of file of light</source>
+            <translation>Lichtdatei ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
             <source>flat entrance face</source>
             <translation>ebene Eintrittsfläche</translation>
         </message>
@@ -2925,11 +2940,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>change of target image</source>
-            <translation>Zielbild ändern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>Target irradiance as its viewer sees it</source>
             <translation>Ziel-Bestrahlungsstärke, wie der Betrachter sie sieht</translation>
         </message>
@@ -2965,6 +2975,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>In der Form x, y; x, y; …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>region</source>
             <translation>Ausschnitt</translation>
         </message>
@@ -2980,6 +2995,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>Add a region in the middle</source>
             <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
         </message>
@@ -2992,16 +3012,6 @@
             <location filename="../../ui/panels/images.py" />
             <source>Region {count}</source>
             <translation>Ausschnitt {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Shape</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>As x, y; x, y; …</source>
-            <translation>In der Form x, y; x, y; …</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3125,11 +3135,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>change of file of light</source>
-            <translation>Lichtdatei ändern</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
             <translation>Zahl der optimierten Parameter und ihr Speicher mit Gradient und Zustand des Optimierers. Ein Netz, das nicht in den Speicher passt, wird beim Start abgelehnt.</translation>
         </message>
@@ -3147,11 +3152,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>{count} iterations</source>
             <translation>{count} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>As the scene</source>
-            <translation>Wie die Szene</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3215,6 +3215,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>Process</source>
+            <translation>Verfahren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Add {process} behind the others</source>
             <translation>{process} hinter den anderen hinzufügen</translation>
         </message>
@@ -3237,11 +3242,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Process and source</source>
             <translation>Prozess und Quelle</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Process</source>
-            <translation>Verfahren</translation>
         </message>
         <message>
             <location filename="../../ui/run/cards.py" />
@@ -4030,11 +4030,6 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Computing…</source>
-            <translation>Berechnung …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
             <source>Number of the control point along {axis}, counted from 0</source>
             <translation>Nummer des Kontrollpunkts entlang {axis}, ab 0 gezählt</translation>
         </message>
@@ -4055,13 +4050,13 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Relative L2 error against the distance; the dotted line is the screen</source>
-            <translation>Relativer L2-Fehler über dem Abstand; die gepunktete Linie ist der Schirm</translation>
+            <source>trace through focus</source>
+            <translation>Fokusreihe</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>trace through focus</source>
-            <translation>Fokusreihe</translation>
+            <source>Relative L2 error against the distance; the dotted line is the screen</source>
+            <translation>Relativer L2-Fehler über dem Abstand; die gepunktete Linie ist der Schirm</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4100,28 +4095,18 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>computed when the design rests…</source>
-            <translation>wird berechnet, wenn der Entwurf ruht …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
             <source>tracing…</source>
             <translation>Durchrechnung …</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
+            <source>computed when the design rests…</source>
+            <translation>wird berechnet, wenn der Entwurf ruht …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
             <source>no flux arrives there</source>
             <translation>dort kommt kein Fluss an</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
-            <source>{part:.1f} % of the light</source>
-            <translation>{part:.1f} % des Lichts</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
-            <source>error {error}, {light}</source>
-            <translation>Fehler {error}, {light}</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4132,6 +4117,16 @@
             <location filename="../../ui/views/focus_view.py" />
             <source>Computed when the design rests.</source>
             <translation>Wird berechnet, wenn der Entwurf ruht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>{part:.1f} % of the light</source>
+            <translation>{part:.1f} % des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>error {error}, {light}</source>
+            <translation>Fehler {error}, {light}</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
@@ -4260,11 +4255,6 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>photo prediction</source>
-            <translation>Fotovorhersage</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/photo_view.py" />
             <source>There is no lens yet. Start designs one.</source>
             <translation>Es gibt noch keine Linse: Start entwirft eine.</translation>
         </message>
@@ -4272,6 +4262,11 @@
             <location filename="../../ui/views/photo_view.py" />
             <source>The photo is predicted when the design rests.</source>
             <translation>Das Foto wird vorhergesagt, sobald der Entwurf ruht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>photo prediction</source>
+            <translation>Fotovorhersage</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -7123,6 +7118,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench" />
             <source>How the lens is searched for in this stage.</source>
             <translation>Wie die Linse in dieser Stufe gesucht wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As the scene</source>
+            <translation>Wie die Szene</translation>
         </message>
         <message>
             <location filename="../../workbench" />

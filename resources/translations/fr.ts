@@ -1230,16 +1230,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/comparison.py" />
-            <source>Save &amp;corrected part…</source>
-            <translation>Enregistrer la pièce &amp;corrigée…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/comparison.py" />
-            <source>Write a design whose face makes good what repeats in the parts</source>
-            <translation>Écrire une conception dont la surface compense ce qui se répète sur les pièces</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/comparison.py" />
             <source>Made beside designed</source>
             <translation>Fabriqué à côté de conçu</translation>
         </message>
@@ -1287,6 +1277,11 @@
             <location filename="../../ui/dialogs/drawing.py" />
             <source>, to scale</source>
             <translation>, à l'échelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/estimate.py" />
+            <source>estimate</source>
+            <translation>estimation</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/estimate.py" />
@@ -1370,11 +1365,6 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>estimate</source>
-            <translation>estimation</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/job_page.py" />
             <source>B&amp;ack</source>
             <translation>&amp;Retour</translation>
         </message>
@@ -1390,13 +1380,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>Picture</source>
-            <translation>Motif</translation>
+            <source>File of light</source>
+            <translation>Fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
-            <source>File of light</source>
-            <translation>Fichier de lumière</translation>
+            <source>Picture</source>
+            <translation>Motif</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/measured.py" />
@@ -1422,6 +1412,16 @@
             <location filename="../../ui/dialogs/measured.py" />
             <source>Comparison with {file}</source>
             <translation>Comparaison avec {file}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Write a design whose face makes good what repeats in the parts</source>
+            <translation>Écrire une conception dont la surface compense ce qui se répète sur les pièces</translation>
+        </message>
+        <message>
+            <location filename="../../ui/dialogs/measured.py" />
+            <source>Save &amp;corrected part…</source>
+            <translation>Enregistrer la pièce &amp;corrigée…</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/measured.py" />
@@ -1635,13 +1635,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>&amp;Open design</source>
-            <translation>&amp;Ouvrir la conception</translation>
+            <source>Open the session of the selected row</source>
+            <translation>Ouvrir la session de la ligne choisie</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
-            <source>Open the session of the selected row</source>
-            <translation>Ouvrir la session de la ligne choisie</translation>
+            <source>&amp;Open design</source>
+            <translation>&amp;Ouvrir la conception</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/sweep.py" />
@@ -1795,13 +1795,13 @@
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>{name}: a design file ends in {ending}</source>
-            <translation>{name} : un fichier de conception se termine par {ending}</translation>
+            <source>Save as</source>
+            <translation>Enregistrer sous</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
-            <source>Save as</source>
-            <translation>Enregistrer sous</translation>
+            <source>{name}: a design file ends in {ending}</source>
+            <translation>{name} : un fichier de conception se termine par {ending}</translation>
         </message>
         <message>
             <location filename="../../ui/files/actions.py" />
@@ -1875,6 +1875,11 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
+            <source>Export {lens}</source>
+            <translation>Exporter : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
             <source>Cut {lens}</source>
             <translation>Usiner : {lens}</translation>
         </message>
@@ -1905,11 +1910,6 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Export {lens}</source>
-            <translation>Exporter : {lens}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/exporter.py" />
             <source>No file was written.</source>
             <translation>Aucun fichier n'a été écrit.</translation>
         </message>
@@ -1935,13 +1935,13 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Report {name}</source>
-            <translation>Rapport : {name}</translation>
+            <source>Report {lens}</source>
+            <translation>Rapport : {lens}</translation>
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
-            <source>Report {lens}</source>
-            <translation>Rapport : {lens}</translation>
+            <source>Report {name}</source>
+            <translation>Rapport : {name}</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2000,13 +2000,13 @@
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>{name}: a plot is saved as one of {known}</source>
-            <translation>{name} : un graphique s'enregistre comme l'un de {known}</translation>
+            <source>Save {pane} plot</source>
+            <translation>Enregistrer le graphique « {pane} »</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
-            <source>Save {pane} plot</source>
-            <translation>Enregistrer le graphique « {pane} »</translation>
+            <source>{name}: a plot is saved as one of {known}</source>
+            <translation>{name} : un graphique s'enregistre comme l'un de {known}</translation>
         </message>
         <message>
             <location filename="../../ui/files/plots.py" />
@@ -2335,11 +2335,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Limit: {label}</source>
-            <translation>Limite : {label}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/figures.py" />
             <source>✓ met</source>
             <translation>✓ tenue</translation>
         </message>
@@ -2430,6 +2425,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit: {label}</source>
+            <translation>Limite : {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
             <source>Lens</source>
             <translation>Lentille</translation>
         </message>
@@ -2465,6 +2465,11 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Calculé quand la conception est au repos…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
             <source>Thickness along z</source>
             <translation>Épaisseur selon z</translation>
         </message>
@@ -2490,11 +2495,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Computed when the design rests…</source>
-            <translation>Calculé quand la conception est au repos…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/pane.py" />
             <source>; hatched where a limit is exceeded</source>
             <translation>; hachuré où une limite est dépassée</translation>
         </message>
@@ -2510,8 +2510,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Outdated; recomputed when the design rests.</source>
-            <translation>Obsolète ; recalculé quand la conception est au repos.</translation>
+            <source>Analysis of the face</source>
+            <translation>Analyse de la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Computing…</source>
+            <translation>Calcul…</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
@@ -2520,8 +2525,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/pane.py" />
-            <source>Analysis of the face</source>
-            <translation>Analyse de la face</translation>
+            <source>Outdated; recomputed when the design rests.</source>
+            <translation>Obsolète ; recalculé quand la conception est au repos.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/plan.py" />
@@ -2625,16 +2630,6 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Save…</source>
-            <translation>Enregistrer…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
-            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
-            <translation>Enregistrer le graphique (PNG, SVG), ou les chiffres de chaque lentille (CSV, JSON)</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/tolerance_form.py" />
             <source>over</source>
             <translation>sur</translation>
         </message>
@@ -2647,6 +2642,16 @@
             <location filename="../../ui/manufacture/tolerance_pane.py" />
             <source>All tolerances are zero. Enter a tilt, a decentre or another tolerance.</source>
             <translation>Toutes les tolérances sont nulles. Entrez une inclinaison, un décentrement ou une autre tolérance.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/tolerance_pane.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Enregistrer le graphique (PNG, SVG), ou les chiffres de chaque lentille (CSV, JSON)</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/tolerance_pane.py" />
@@ -2825,6 +2830,16 @@
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
+            <source>change of target image</source>
+            <translation>changement d'image cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>change of file of light</source>
+            <translation>changement de fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
             <source>flat entrance face</source>
             <translation>face d'entrée plane</translation>
         </message>
@@ -2925,11 +2940,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>change of target image</source>
-            <translation>changement d'image cible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
             <source>Target irradiance as its viewer sees it</source>
             <translation>Éclairement cible tel que l'observateur le voit</translation>
         </message>
@@ -2965,6 +2975,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>Sous la forme x, y; x, y; …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>region</source>
             <translation>région</translation>
         </message>
@@ -2980,6 +2995,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
+            <source>Shape</source>
+            <translation>Forme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
             <source>Add a region in the middle</source>
             <translation>Ajouter une région au milieu</translation>
         </message>
@@ -2992,16 +3012,6 @@
             <location filename="../../ui/panels/images.py" />
             <source>Region {count}</source>
             <translation>Région {count}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Shape</source>
-            <translation>Forme</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>As x, y; x, y; …</source>
-            <translation>Sous la forme x, y; x, y; …</translation>
         </message>
         <message>
             <location filename="../../ui/panels/panel.py" />
@@ -3125,11 +3135,6 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
-            <source>change of file of light</source>
-            <translation>changement de fichier de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
             <source>Number of optimised parameters, and their memory with gradient and optimiser state. A network that does not fit into memory is refused at the start.</source>
             <translation>Nombre de paramètres optimisés, et leur mémoire avec gradient et état de l'optimiseur. Un réseau qui ne tient pas en mémoire est refusé au démarrage.</translation>
         </message>
@@ -3147,11 +3152,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>{count} iterations</source>
             <translation>{count} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>As the scene</source>
-            <translation>Comme la scène</translation>
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
@@ -3215,6 +3215,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/scene.py" />
+            <source>Process</source>
+            <translation>Procédé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
             <source>Add {process} behind the others</source>
             <translation>Ajouter {process} après les autres</translation>
         </message>
@@ -3237,11 +3242,6 @@
             <location filename="../../ui/panels/scene.py" />
             <source>Process and source</source>
             <translation>Procédé et source</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/scene.py" />
-            <source>Process</source>
-            <translation>Procédé</translation>
         </message>
         <message>
             <location filename="../../ui/run/cards.py" />
@@ -4030,11 +4030,6 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Computing…</source>
-            <translation>Calcul…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/derivative_view.py" />
             <source>Number of the control point along {axis}, counted from 0</source>
             <translation>Numéro du point de contrôle selon {axis}, compté à partir de 0</translation>
         </message>
@@ -4055,13 +4050,13 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Relative L2 error against the distance; the dotted line is the screen</source>
-            <translation>Erreur L2 relative selon la distance ; la ligne pointillée est l'écran</translation>
+            <source>trace through focus</source>
+            <translation>série focale</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>trace through focus</source>
-            <translation>série focale</translation>
+            <source>Relative L2 error against the distance; the dotted line is the screen</source>
+            <translation>Erreur L2 relative selon la distance ; la ligne pointillée est l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4100,28 +4095,18 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>computed when the design rests…</source>
-            <translation>calculé quand la conception est au repos…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
             <source>tracing…</source>
             <translation>tracé…</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
+            <source>computed when the design rests…</source>
+            <translation>calculé quand la conception est au repos…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
             <source>no flux arrives there</source>
             <translation>aucun flux n'y arrive</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
-            <source>{part:.1f} % of the light</source>
-            <translation>{part:.1f} % de la lumière</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
-            <source>error {error}, {light}</source>
-            <translation>erreur {error}, {light}</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4132,6 +4117,16 @@
             <location filename="../../ui/views/focus_view.py" />
             <source>Computed when the design rests.</source>
             <translation>Calculé quand la conception est au repos.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>{part:.1f} % of the light</source>
+            <translation>{part:.1f} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>error {error}, {light}</source>
+            <translation>erreur {error}, {light}</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />
@@ -4260,11 +4255,6 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>photo prediction</source>
-            <translation>prédiction de la photo</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/photo_view.py" />
             <source>There is no lens yet. Start designs one.</source>
             <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une.</translation>
         </message>
@@ -4272,6 +4262,11 @@
             <location filename="../../ui/views/photo_view.py" />
             <source>The photo is predicted when the design rests.</source>
             <translation>La photo est prédite quand la conception est au repos.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>photo prediction</source>
+            <translation>prédiction de la photo</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -7123,6 +7118,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench" />
             <source>How the lens is searched for in this stage.</source>
             <translation>Comment la lentille est cherchée dans cette étape.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As the scene</source>
+            <translation>Comme la scène</translation>
         </message>
         <message>
             <location filename="../../workbench" />
