@@ -356,8 +356,9 @@ class SceneView(View):
     def _begin(self, session: Session) -> None:
         self._flight.land()
         space, former = self._space(session.scene), self._contents
-        least = 0.0 if former is None or former.picture.fitted else _FAR
-        moved = self._held is None or _moved(self._held, space) > least
+        fitted = former is None or former.picture.fitted
+        view = "" if former is None else former.picture.camera.view
+        moved = self._held is None or _moved(self._held, space) > (0.0 if fitted else _FAR)
         if former is not None:
             former.handles.close()
         self._contents = SceneContents(
@@ -365,7 +366,8 @@ class SceneView(View):
         )
         if moved:
             self._held = space
-            self._contents.picture.fit()
+        if moved or fitted:
+            self._contents.picture.fit("" if moved else view)
 
     def _space(self, scene: Scene) -> Array:
         from workbench.pictures.camera import scene_corners

@@ -66,6 +66,19 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
         assert scene.camera()[key] == pytest.approx(value)
 
 
+def test_a_fitted_view_stays_one_where_an_edit_moves_nothing(display, open_window, qtbot):
+    window = open_window()
+    window.build()
+    scene, document = window.loaded.views.scene, window.document
+    qtbot.waitUntil(lambda: scene.camera() is not None and scene.frame is not None, timeout=60_000)
+    scene.fit("side")
+    task = document.session.scene
+    coarse = task.receiver.model_copy(update={"pixels": (24, 24)})
+    document.edit(task.with_receiver(coarse), "coarse", "pixels")
+    qtbot.waitUntil(lambda: scene._shown is document.session, timeout=60_000)
+    assert scene.camera() == {"fitted": "side"}
+
+
 def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     window = open_window()
     document, revert = window.document, window.commands["revert"]
