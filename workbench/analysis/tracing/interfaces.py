@@ -114,7 +114,7 @@ class MirrorBoundary:
 class ScatterBoundary:
     """A diffuser; a `Boundary`.
 
-    Random numbers come from the first ray: batches and threads do not share any.
+    Random numbers come from the first lit ray: batches and threads do not share any.
 
     `diffuser`: how it scatters; what it absorbs is called ``absorbed_diffuser`` in the light
     account.
@@ -133,10 +133,11 @@ class ScatterBoundary:
         lost = {"absorbed_diffuser": crossings.flux - flux}
         if not len(flux):
             return TracedRays(crossings.position, rays.direction, flux), lost
-        first = np.concatenate([rays.position[0], rays.direction[0]])
-        random = np.random.default_rng(first.view(np.uint64).tolist())
         normal = np.broadcast_to(crossings.normal, crossings.position.shape)
         before = np.broadcast_to(rays.direction, crossings.position.shape)
+        lit = int(np.argmax(flux > 0))  # where a lost ray is, is not known
+        first = np.concatenate([rays.position[lit], before[lit]])
+        random = np.random.default_rng(first.view(np.uint64).tolist())
         before = np.where(flux[:, None] > 0, before, normal)
         direction = _LAWS[type(self._scatter)](self._scatter, before, normal, random)
         return TracedRays(crossings.position, direction, flux), lost
