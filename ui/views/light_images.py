@@ -282,7 +282,8 @@ class TargetView(LightImageView):
 
     def _begin(self, axes: Axes, session: Session) -> None:
         super()._begin(axes, session)
-        self._show_array(target_irradiance(session.scene, session.target, 1.0))
+        if self._frame is None:
+            self._show_array(target_irradiance(session.scene, session.target, 1.0))
 
     def _why_empty(self, frame: Frame | None) -> str:
         return ""
