@@ -42,7 +42,7 @@ class Forms(FormArea):
         self._entries = Entries(self._make)
         self._pending = self._entries.waiting
         self.refusals: tuple[str, ...] = ()  # fields whose edits wait to be corrected, and why
-        self._editing = self._running = False
+        self._editing = False
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
         self._next: Session | None = None  # with these
@@ -188,9 +188,8 @@ class Forms(FormArea):
         (self.light_asked if self._asking == "source" else self.image_asked).emit()
         self._asking = self._target.path
 
-    def set_running(self, running: bool, paused: bool = False) -> None:
-        """Postpone edits while a run is active."""
-        self._running = running
+    def show_run(self, paused: bool = False) -> None:
+        """Say that edits wait while a run is active."""
         self._run_hint = (
             tr("The design is paused. Changes wait until it ends.")
             if paused
@@ -211,7 +210,7 @@ class Forms(FormArea):
 
     def edit(self, edit: Edit) -> None:
         """Try an edit together with those that wait; keep it waiting if it is refused."""
-        if edit.drag and self._running:
+        if edit.drag and self._document.in_run:
             return
         refused = self._entries.make(edit)
         if refused is not None and not (edit.waits or edit.drag):
@@ -229,7 +228,7 @@ class Forms(FormArea):
         try:
             scene = edited_scene(self._session.scene, edits)
             last = edits[-1]
-            if self._running:
+            if self._document.in_run:
                 self._postpone(edits, scene)
                 return
             key = last.drag or ("" if last.alone else last.field)
@@ -243,7 +242,7 @@ class Forms(FormArea):
             self._editing = False
 
     def _read_image_again(self) -> None:
-        if self._running:
+        if self._document.in_run:
             self.file_refused.emit(tr("Stop the run first, then reload the image."))
             return
         try:
@@ -301,4 +300,4 @@ class Forms(FormArea):
 
     def _show_hint(self) -> None:
         self._hint.setText(self.postponed_text if self._later else self._run_hint)
-        self._hint.setVisible(self._running)
+        self._hint.setVisible(self._document.in_run)

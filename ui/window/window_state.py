@@ -141,7 +141,7 @@ class WindowState:
         commands.explain(now.reasons())
         commands.reword(now.texts() | self._undo_texts())
         commands["pause"].setChecked(now.state == "paused")
-        early.forms.set_running(not now.editable, paused=now.state == "paused")
+        early.forms.show_run(paused=now.state == "paused")
         early.panes.history.setEnabled(now.editable)
         if self.loaded is not None:
             self.loaded.allow(resting=now.resting, go_on=now.state == "idle")

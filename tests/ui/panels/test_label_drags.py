@@ -103,7 +103,7 @@ def test_a_click_on_a_label_changes_nothing_and_goes_to_the_field(forms, documen
 
 
 def test_no_label_changes_the_scene_during_a_run(forms, document):
-    forms.set_running(True)
+    document.in_run = True
     hand = Hand(row(forms, SIZE).label)
     hand.move(30)
     hand.drop()

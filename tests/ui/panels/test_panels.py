@@ -223,7 +223,7 @@ def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, 
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
     session, received = document.session, []
     forms.postponed.connect(received.append)
-    forms.set_running(True)
+    document.in_run = True
     enter(qtbot, forms, "images[0].receiver.position[2]", "7")
     choose(forms, "source.kind", "point")
     enter(qtbot, forms, "source.position[2]", "-9")  # a field of the source to come
@@ -232,7 +232,7 @@ def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
         editor(forms, "images[0].receiver.position[2]").text() == "7" and forms.postponed_edits == 3
     )
     assert "change of receiver position" in received[0] and "source kind" in received[-1]
-    forms.set_running(False)
+    document.in_run = False
     forms.make_postponed_edits()
     scene = document.session.scene
     assert (scene.receiver.z, scene.source.position[2]) == (7, -9)
