@@ -64,8 +64,12 @@ class Runner(QObject):
     def show(self, frame: Frame) -> None:
         """Show a frame from elsewhere in place of a preview."""
         if self.state == "idle":
-            self._drop_job()
+            self.drop_preview()
             self.frame_ready.emit(frame)
+
+    def drop_preview(self) -> None:
+        if self.state == "idle":
+            self._drop_job()
 
     def pause(self) -> None:
         if self._job is not None and self.state == "running":
@@ -203,6 +207,11 @@ class RunControl(QObject):
 
     def preview(self) -> None:
         self._preview.start()
+
+    def drop_preview(self) -> None:
+        """Let no preview follow what is shown."""
+        self._preview.stop()
+        self.runner.drop_preview()
 
     def close(self) -> None:
         self._preview.stop()

@@ -168,8 +168,10 @@ class SceneView(View):
         self.nets.show_locks(session.locked)
 
     def hold_camera(self, scene: Scene) -> None:
-        """Keep the camera when this scene arrives."""
+        """Keep the camera when this scene arrives, as if a person had placed it."""
         self._held = self._space(scene)
+        if self._contents is not None:
+            self._contents.picture.camera.hold()
 
     def camera(self) -> dict[str, Any] | None:
         """Where the camera stands, as plain data; None before the first drawing."""

@@ -221,6 +221,7 @@ class LoadedParts(QObject):
         self._early.forms.edit(Edit(path, text, changes, alone=True, waits=False))
 
     def _rewind(self, frame: Frame) -> None:
+        self.control.drop_preview()
         self.shown.frame_changed.emit(frame)
         if frame is self.control.history.frames[-1]:
             self.control.preview()  # which tells why the run ended

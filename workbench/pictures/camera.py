@@ -95,6 +95,10 @@ class FittedCamera:
         self._set_position(toward, nearer=float(half[2]))
         self._fitted_state = self.state()
 
+    def hold(self) -> None:
+        """Count as placed by a person until the next `fit`."""
+        self._fitted_state = ()
+
     def project(self, perspective: bool) -> None:
         """Change the projection; objects at the focal point keep their size."""
         if perspective == self._perspective:
