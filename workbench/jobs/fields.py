@@ -116,6 +116,11 @@ def halves(size: tuple[float, float]) -> list[float]:
     return [each / 2 for each in size]
 
 
+def legible(*numbers: float) -> list[float]:
+    """Numbers of a calculation with five digits, which a person can read and fields can show."""
+    return [float(f"{number:.5g}") for number in numbers]
+
+
 def written(part: Part) -> dict[str, Any]:
     """A part as plain data."""
     data: dict[str, Any] = part.model_dump(mode="json", exclude_none=True)

@@ -25,6 +25,7 @@ from workbench.jobs.fields import (
     Thickness,
     emitter,
     halves,
+    legible,
     lens,
     screen,
     shipped,
@@ -256,8 +257,8 @@ class WallWasher(LensJob):
         off = math.atan2(-self.above, self.wall_distance) - aim
         return {
             "kind": "plane",
-            "position": [0.0, middle * math.sin(off), middle * math.cos(off)],
-            "tilt": [math.degrees(aim), 0.0, 0.0],
+            "position": legible(0.0, middle * math.sin(off), middle * math.cos(off)),
+            "tilt": legible(math.degrees(aim), 0.0, 0.0),
             "half_width": halves(self.wall_size),
         }
 

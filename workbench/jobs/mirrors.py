@@ -5,7 +5,17 @@ from typing import Annotated, ClassVar
 
 from pydantic import ConfigDict
 
-from workbench.jobs.fields import SUN, ImageSize, Pair, Picture, halves, mirror, shipped, written
+from workbench.jobs.fields import (
+    SUN,
+    ImageSize,
+    Pair,
+    Picture,
+    halves,
+    legible,
+    mirror,
+    shipped,
+    written,
+)
 from workbench.jobs.job import Job, proposed
 from workbench.scene import Positive, Scene
 from workbench.scene.fields import ANGLE, LENGTH, about
@@ -54,7 +64,9 @@ class MirrorJob(Job):
         angle = math.radians(self.aside)
         receiver = {
             "kind": "plane",
-            "position": [self.distance * math.sin(angle), 0.0, -self.distance * math.cos(angle)],
+            "position": legible(
+                self.distance * math.sin(angle), 0.0, -self.distance * math.cos(angle)
+            ),
             "tilt": [0.0, -self.aside, 0.0],
             "half_width": halves(self.image_size),
         }
