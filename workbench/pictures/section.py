@@ -92,8 +92,15 @@ class SectionCurves:
         self._unit = light_unit(scene)
         label_curves(axes, "", self._unit.words)
         set_round_ticks(axes)
+        # Dashes over the line of the light: where both are the same, both are seen.
         (self.wanted,) = axes.plot(
-            [], [], color=_TARGET, linewidth=1.2, linestyle="--", label=Message("target")
+            [],
+            [],
+            color=_TARGET,
+            linewidth=1.2,
+            linestyle="--",
+            label=Message("target"),
+            zorder=3,
         )
         (self.light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
         axes.legend(
