@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeyEvent, QMouseEvent, QRegion, QResizeEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -41,11 +42,9 @@ class ImagePanel(QFrame):
         super().__init__()
         self.setObjectName("centre")  # for the style sheet
         self._views = _Swipe(self)  # first: the keyboard comes to them before the buttons
-        self._bar = QToolBar(tr("Image"))
-        self._bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         one_of = QActionGroup(self)
         self._modes = {name: self._mode(name, one_of) for name, pane in PANES.items() if pane.image}
-        self._bar.addActions(list(self._modes.values()))
+        self._bar = _Modes(list(self._modes.values()))
         self._compare = QToolButton(self)
         self._compare.setToolTip(
             tr("Show a second image; drag the handle between them, or press arrows on it")
@@ -145,11 +144,39 @@ class ImagePanel(QFrame):
         if self._second == self.name:
             self._second = next(name for name in self._modes if name != self.name)
         self._modes[self.name].setChecked(True)
+        self._bar.keep_in_sight()
         second = self._seconds[self._second]
         second.setChecked(True)
         words = tr("Compare: {image}").format(image=second.text()) if self.compared else ""
         self._compare.setText(words or tr("Compare"))
         self._views.show_views(self.name, self.compared)
+
+
+class _Modes(QToolBar):
+    """One button for each view; where space is short, that of the shown view is among the first."""
+
+    def __init__(self, modes: list[QAction]) -> None:
+        super().__init__(tr("Image"))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        self._modes = modes
+        self.addActions(modes)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.actions() != self._modes:
+            self.addActions(self._modes)  # in their order again
+        self.keep_in_sight()
+
+    def keep_in_sight(self) -> None:
+        """Move the chosen button before those that there is no space for."""
+        chosen = next((each for each in self._modes if each.isChecked()), None)
+        seen = [each for each in self._modes if self._is_seen(each)]
+        while seen and chosen is not None and not self._is_seen(chosen):
+            self.insertAction(seen.pop(), chosen)
+
+    def _is_seen(self, mode: QAction) -> bool:
+        QApplication.sendPostedEvents(self, QEvent.Type.LayoutRequest)
+        return not self.widgetForAction(mode).isHidden()
 
 
 class _Swipe(QWidget):

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QInputDialog, QLabel, QMainWindow
+from PySide6.QtWidgets import QInputDialog, QLabel, QMainWindow, QToolButton
 
 from ui.commands.panes import PANES, WORKSPACES
 from ui.commands.table import WORKSPACE_CHOICES
@@ -241,6 +241,29 @@ def view_at(panel, across):
     """The view that is seen at a part of the panel's width."""
     views = panel.findChild(QLabel).parentWidget()
     return views.childAt(QPoint(round(across * views.width()), views.height() // 2))
+
+
+def buttons(panel):
+    """Texts of the buttons that there is space for; the chosen one in capitals."""
+    found = [b for b in panel.findChildren(QToolButton) if b.isVisible() and b.defaultAction()]
+    found.sort(key=lambda button: button.x())
+    return [b.text().upper() if b.isChecked() else b.text() for b in found]
+
+
+def test_a_narrow_panel_shows_the_button_of_the_chosen_view(panel, qtbot):
+    every = buttons(panel)
+    assert every[0] == "IRRADIANCE" and every[-1] == "Through focus"
+    panel.window().resize(360, 600)
+    qtbot.waitUntil(lambda: len(buttons(panel)) < 4)
+    few = buttons(panel)
+    assert few == every[: len(few)]
+    panel.choose("focus")
+    qtbot.waitUntil(lambda: "THROUGH FOCUS" in buttons(panel))
+    panel.choose("target")
+    qtbot.waitUntil(lambda: "TARGET" in buttons(panel))
+    panel.window().resize(800, 600)
+    qtbot.waitUntil(lambda: len(buttons(panel)) == len(every))
+    assert [text.lower() for text in buttons(panel)] == [text.lower() for text in every]
 
 
 def test_a_handle_parts_two_views_and_moves_by_mouse_and_keys(panel, qtbot):
