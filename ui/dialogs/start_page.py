@@ -35,8 +35,8 @@ from workbench.scene.part import summary_of, title_of
 
 _WELL_HIGH, _WIDEST, _ICON = 176, 1600, 48  # pixels
 _MOST_RECENT = 6
-_JOBS, _EXAMPLES = Shape(212, 0.625, 5), Shape(128, 1.0, 2, with_about=False)
-_RECENT = Shape(150, 0.0, 2)
+_JOBS, _EXAMPLES = Shape(212, 0.625), Shape(128, 1.0, with_about=False)
+_RECENT = Shape(150, 0.0)
 
 
 class StartPage(QStackedWidget):

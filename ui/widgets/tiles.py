@@ -1,5 +1,6 @@
 """Tiles with a picture, a title and a sentence, of which one is chosen by a click or a key."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -49,11 +50,10 @@ class Tile:
 
 @dataclass(frozen=True)
 class Shape:
-    """Least width of tiles, height of a picture for its width, and lines of text."""
+    """Least width of tiles, height of a picture for its width, and whether a sentence is below."""
 
     width: int
     picture: float
-    lines: int
     with_about: bool = True
 
 
@@ -76,7 +76,8 @@ class Tiles(QListWidget):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMouseTracking(True)
-        self.setItemDelegate(_Painter(self, shape))
+        self._painter = _Painter(self, shape)
+        self.setItemDelegate(self._painter)
         self.itemClicked.connect(lambda item: self.chosen.emit(self.row(item)))
 
     def put(self, tiles: Sequence[Tile]) -> None:
@@ -116,7 +117,9 @@ class Tiles(QListWidget):
     def _lay_out(self) -> None:
         columns = max(self.width() // self._shape.width, 1)
         wide = (self.width() - 1) // columns  # Qt lets none fill the line to its end
-        texts = self._shape.lines * self.fontMetrics().lineSpacing() + 2 * _INSIDE
+        indexes = (self.model().index(row, 0) for row in range(self.count()))
+        words = [self._painter.words(index, wide - _GAP).size().height() for index in indexes]
+        texts = math.ceil(max(words, default=0.0))
         high = round(self._shape.picture * (wide - _GAP)) + texts + _GAP
         self.setGridSize(QSize(wide, high))
         self.setFixedHeight(-(-self.count() // columns) * high)
@@ -151,6 +154,16 @@ class _Painter(QStyledItemDelegate):
         place.moveCenter(QRectF(above).center())
         painter.drawImage(place, picture)
         painter.translate(above.bottomLeft())
+        document = self.words(index, here.width())
+        document.drawContents(painter, QRectF(0, 0, *here.size().toTuple()))
+        painter.restore()
+        if option.state & QStyle.StateFlag.State_HasFocus:
+            painter.setPen(QPen(palette.highlight(), 2))
+            painter.drawPath(outline)
+
+    def words(self, index: _Index, width: int) -> QTextDocument:
+        """Title and sentence of a tile of a width in pixels."""
+        palette = self._view.palette()
         text, about = palette.text().color().name(), theme.muted(palette).name()
         words = f"<b style='color:{text}'>{escape(index.data())}</b>"
         if self._shape.with_about:
@@ -160,12 +173,8 @@ class _Painter(QStyledItemDelegate):
         document.setDefaultFont(self._view.font())
         document.setDefaultStyleSheet("b { font-weight: 600 }")
         document.setHtml(words)
-        document.setTextWidth(here.width())
-        document.drawContents(painter, QRectF(0, 0, *here.size().toTuple()))
-        painter.restore()
-        if option.state & QStyle.StateFlag.State_HasFocus:
-            painter.setPen(QPen(palette.highlight(), 2))
-            painter.drawPath(outline)
+        document.setTextWidth(width)
+        return document
 
     def _picture(self, make: Callable[[], QImage], size: QSize) -> QImage:
         """A picture as large as fits, made once for each size."""
