@@ -1505,13 +1505,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
-            <source>After a run</source>
-            <translation>Nach einem Lauf</translation>
+            <source>Finished lenses</source>
+            <translation>Fertige Linsen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
-            <source>Whether an independent ray trace checks the result of a run</source>
-            <translation>Ob eine unabhängige Strahlverfolgung das Ergebnis eines Laufs prüft</translation>
+            <source>Whether an independent ray trace checks what a run or live update has finished</source>
+            <translation>Ob unabhängiges Raytracing prüft, was ein Lauf oder die Live-Aktualisierung fertiggestellt hat</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
@@ -3590,8 +3590,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>Check of the run</source>
-            <translation>Prüfung des Laufs</translation>
+            <source>Check of the result</source>
+            <translation>Prüfung des Ergebnisses</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4621,11 +4621,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />
-            <source>Image</source>
-            <translation>Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/image_panel.py" />
             <source>Show a second image; drag the handle between them, or press arrows on it</source>
             <translation>Ein zweites Bild zeigen; den Griff dazwischen ziehen oder mit Pfeiltasten bewegen</translation>
         </message>
@@ -4638,6 +4633,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../ui/window/image_panel.py" />
             <source>Compare: {image}</source>
             <translation>Vergleich: {image}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Image</source>
+            <translation>Bild</translation>
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />

@@ -1505,13 +1505,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
-            <source>After a run</source>
-            <translation>Après une exécution</translation>
+            <source>Finished lenses</source>
+            <translation>Lentilles terminées</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
-            <source>Whether an independent ray trace checks the result of a run</source>
-            <translation>Si un tracé de rayons indépendant vérifie le résultat d'une exécution</translation>
+            <source>Whether an independent ray trace checks what a run or live update has finished</source>
+            <translation>Indique si un tracé de rayons indépendant vérifie ce qu'une exécution ou la mise à jour en direct a terminé</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/preferences.py" />
@@ -3590,8 +3590,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>Check of the run</source>
-            <translation>Vérification de l'exécution</translation>
+            <source>Check of the result</source>
+            <translation>Vérification du résultat</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
@@ -4621,11 +4621,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />
-            <source>Image</source>
-            <translation>Image</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/image_panel.py" />
             <source>Show a second image; drag the handle between them, or press arrows on it</source>
             <translation>Montrer une seconde image ; faire glisser la poignée entre les deux, ou la déplacer par les flèches</translation>
         </message>
@@ -4638,6 +4633,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../ui/window/image_panel.py" />
             <source>Compare: {image}</source>
             <translation>Comparer : {image}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/image_panel.py" />
+            <source>Image</source>
+            <translation>Image</translation>
         </message>
         <message>
             <location filename="../../ui/window/image_panel.py" />

@@ -62,8 +62,8 @@ START = Preference(
 )
 CHECK = Preference(
     "run/check",
-    later("After a run"),
-    later("Whether an independent ray trace checks the result of a run"),
+    later("Finished lenses"),
+    later("Whether an independent ray trace checks what a run or live update has finished"),
     later({"check": "Check the result", "none": "No check"}),
     "check",
 )

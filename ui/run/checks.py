@@ -190,10 +190,10 @@ _GUESS = 0.5  # seconds that the first one takes
 
 
 class RunCheck(QObject):
-    """Checks lenses at stage ends, at intervals on an idle core, and at the end of a run."""
+    """Checks lenses at stage ends, at intervals on an idle core, and each that is finished."""
 
     checked = Signal(object, object)  # CheckedLens, Validation
-    ended = Signal(object, object, object)  # CheckedLens, Validation, float: of a run's end
+    ended = Signal(object, object, object)  # CheckedLens, Validation, float: of a finished lens
     failed = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
@@ -203,7 +203,7 @@ class RunCheck(QObject):
         self._last: Frame | None = None
         self._began = self._rested_at = 0.0
         self._cost = _GUESS
-        self._end: CheckedLens | None = None  # the lens of the run that ended last
+        self._end: CheckedLens | None = None  # the lens that was finished last
         self._result: Result | None = None  # that it is of
         self.background = Background(later("check of the run"), self)
         self.background.done.connect(self._show_outcome)
@@ -236,14 +236,19 @@ class RunCheck(QObject):
         lens = CheckedLens(frame.session, frame.state.heights, iterations_before(frame))
         self.background.begin(partial(check, lens, None), lens)
 
-    def _finish(self) -> None:
-        result, frame = self._document.session.result, self._last
-        self._last, self._result = None, result
-        if result is not None and frame is not None and self.wanted():
-            session = self._document.session
+    def check_result(self) -> None:
+        """Check the finished lens of the document."""
+        session, result = self._document.session, self._document.session.result
+        self._result = result
+        if result is not None and self.wanted():
             self._end = CheckedLens.of(session, result.state, result.iterations)
             work = partial(check, self._end, RAYS)
-            self.background.begin(work, self._end, tr("Check of the run"))
+            self.background.begin(work, self._end, tr("Check of the result"))
+
+    def _finish(self) -> None:
+        seen, self._last = self._last, None
+        if seen is not None:
+            self.check_result()
 
     def _show_outcome(
         self, lens: CheckedLens, outcome: "tuple[Validation, float | None] | None"

@@ -154,6 +154,7 @@ class LoadedParts(QObject):
     def _connect_follow(self, settings: QSettings) -> None:
         follow, early, command = self.follow, self._early, self._early.commands["follow"]
         follow.settled.connect(self.runs.show)
+        follow.settled.connect(self.runs.check.check_result)
         follow.failed.connect(early.messages.warn)
         self.check.under_way_changed.connect(partial(follow.hold, "check"))
         self.tools.editing_began.connect(follow.rest)

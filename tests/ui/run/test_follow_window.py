@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QSettings
 
 from tests.ui.hands import editor, fill
+from ui.dialogs.preferences import CHECK
 from ui.window.loaded_parts import FOLLOW
 
 pytestmark = pytest.mark.usefixtures("kernels", "display")
@@ -95,3 +96,30 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     assert window.document.undo_stack.count() == 1
     window.commands["undo"].trigger()
     assert window.document.session is before
+
+
+def test_a_followed_lens_is_checked_until_the_next_edit(following, qtbot):
+    window, document = following, following.document
+    with settled(window, qtbot):
+        fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "6")
+    first = document.session.result
+    assert window.loaded.runs.check.background.busy
+    with settled(window, qtbot):
+        fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "7")
+    second = document.session.result
+    with qtbot.waitSignal(window.loaded.check.checked, timeout=60_000) as shown:
+        pass
+    lens, found, _ = shown.args
+    assert lens.heights == second.state.heights
+    assert (
+        document.verified.of_lens(second).relative_l2_corrected
+        == found.verified.relative_l2_corrected
+    )
+    assert document.verified.of_lens(first) is None
+
+
+def test_a_followed_lens_is_not_checked_where_a_person_wants_no_checks(following, settings, qtbot):
+    settings.setValue(CHECK.key, "none")
+    with settled(following, qtbot):
+        fill(qtbot, editor(following.forms, "images[0].receiver.position[2]"), "6")
+    assert not following.loaded.runs.check.background.busy
