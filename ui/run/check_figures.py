@@ -209,10 +209,15 @@ class CheckFigures(QWidget):
         self._hint.hide()
 
     def follow(self, under_way: bool) -> None:
-        before = tr("Outdated figures: the design has changed.") if self._count else ""
-        self._hint.setText(tr("Checking…") if under_way else before or tr(_NOTHING))
+        """Follow a check of the shown lens; what is there becomes outdated."""
+        self.await_figures(under_way)
         self._hint.show()
         self._table.setEnabled(False)
+
+    def await_figures(self, under_way: bool) -> None:
+        """Say whether figures come where there are none of the shown lens."""
+        before = tr("Outdated figures: the design has changed.") if self._count else ""
+        self._hint.setText(tr("Checking…") if under_way else before or tr(_NOTHING))
 
     def copy(self) -> None:
         if self._count:

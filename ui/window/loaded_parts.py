@@ -132,6 +132,9 @@ class LoadedParts(QObject):
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
         self.runs.check.ended.connect(check.take)
+        self.runs.check.background.changed.connect(
+            lambda task: figures.await_figures(not task.ended)
+        )
         check.under_way_changed.connect(self._reword_check)
         check.summary_ready.connect(early.log.add)
         check.failed.connect(early.messages.warn)

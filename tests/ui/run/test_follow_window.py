@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QSettings
+from PySide6.QtWidgets import QLabel
 
 from tests.ui.hands import editor, fill
 from ui.dialogs.preferences import CHECK
@@ -98,17 +99,25 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     assert window.document.session is before
 
 
+def said(window, text):
+    """Whether the place of the check's figures says something instead of them."""
+    labels = window.loaded.figures.findChildren(QLabel)
+    return any(label.text() == text and not label.isHidden() for label in labels)
+
+
 def test_a_followed_lens_is_checked_until_the_next_edit(following, qtbot):
     window, document = following, following.document
     with settled(window, qtbot):
         fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "6")
     first = document.session.result
     assert window.loaded.runs.check.background.busy
+    assert said(window, "Checking…")
     with settled(window, qtbot):
         fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "7")
     second = document.session.result
     with qtbot.waitSignal(window.loaded.check.checked, timeout=60_000) as shown:
         pass
+    assert not said(window, "Checking…")
     lens, found, _ = shown.args
     assert lens.heights == second.state.heights
     assert (
