@@ -117,7 +117,7 @@ class PlotCanvas(FigureCanvasQTAgg):
         """Curves, and a legend that covers them: one takes as long as ten curves."""
         seen = [axes for axes in self.figure.axes if axes.get_visible()]
         legends = filter(None, (axes.get_legend() for axes in seen))
-        lines = (line for axes in seen for line in axes.lines)
+        lines = sorted((line for axes in seen for line in axes.lines), key=Artist.get_zorder)
         return [*lines, *(legend for legend in legends if legend.get_frame_on())]
 
     def _draw_curves(self) -> None:
