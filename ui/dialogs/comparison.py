@@ -31,9 +31,7 @@ class ComparisonDialog(Dialog):
         translate(figure)
         self.table = Table(tr("Figures"), 2)
         self.table.horizontalHeader().hide()
-        self.table.setRowCount(len(rows))
-        for number, (name, value) in enumerate(rows):
-            self.table.put(number, (capitalised(tr(name)), tr(value)))
+        self.table.fill([(capitalised(tr(name)), tr(value)) for name, value in rows])
         self.table.setWordWrap(False)
         self.table.resizeRowsToContents()
         canvas = FigureCanvas(self, tr("Made beside designed"), figure)

@@ -22,7 +22,7 @@ from resources.manual_pages import Page, pages
 from ui.commands.actions import Commands
 from ui.commands.command_search import CommandPalette
 from ui.dialogs.coach import CoachMarks
-from ui.widgets.controls import filled
+from ui.widgets.controls import filled, named
 from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.words import tr
@@ -66,17 +66,15 @@ class Manual(Dialog):
         super().__init__(tr("Manual"), window, Buttons.Close)
         self._pages: list[Page] = pages()
         self._places: list[QTextCursor] = []  # of what is searched for, on this page
-        self._search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
-        self._search.setAccessibleName(tr("Search the manual"))
-        self._search.setToolTip(tr("Find pages with all words; Return shows the next match"))
-        self._list = QListWidget()
-        self._list.setAccessibleName(tr("Pages of the manual"))
+        search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
+        tip = tr("Find pages with all words; Return shows the next match")
+        self._search = named(search, tr("Search the manual"), tip)
+        self._list = named(QListWidget(), tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._nothing = WrappedLabel(textFormat=Qt.TextFormat.PlainText)
         self._nothing.hide()
-        self._text = PageView()
-        self._text.setAccessibleName(tr("Manual"))
+        self._text = named(PageView(), tr("Manual"))
         self._search.textChanged.connect(self._find)
         self._search.returnPressed.connect(self._find_next)
         self._list.currentRowChanged.connect(self._open)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ui.widgets import theme
-from ui.widgets.controls import Chooser
+from ui.widgets.controls import Chooser, named
 from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import application
@@ -97,13 +97,10 @@ class PreferencesDialog(Dialog):
         self.choosers: dict[str, Chooser] = {}
         form = QFormLayout(self)
         for preference in PREFERENCES:
-            chooser = Chooser()
-            for value, title in preference.choices.items():
-                chooser.addItem(tr(title), value)
+            chooser = Chooser({value: tr(title) for value, title in preference.choices.items()})
+            named(chooser, tr(preference.title), tr(preference.tip))
             chooser.setMinimumContentsLength(_COLUMNS)
-            chooser.setCurrentIndex(chooser.findData(preference.kept(settings)))
-            chooser.setAccessibleName(tr(preference.title))
-            chooser.setToolTip(tr(preference.tip))
+            chooser.choose(preference.kept(settings))
             chooser.activated.connect(partial(self._keep, preference))
             self.choosers[preference.key] = chooser
             form.addRow(tr(preference.title), chooser)

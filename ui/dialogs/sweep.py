@@ -15,13 +15,12 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLineEdit,
-    QToolButton,
     QWidget,
 )
 
 from ui.background import Background, Task
 from ui.document.document import Document
-from ui.widgets.controls import Choice, Table, filled, side_by_side
+from ui.widgets.controls import Choice, Table, filled, named, side_by_side, tool_button
 from ui.widgets.dialog import Buttons, Dialog
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.labels import WrappedLabel
@@ -150,12 +149,8 @@ class SweepDialog(Dialog):
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
         self.folder.setPlaceholderText(tr("Chosen at the start"))
-        choose = QToolButton()
-        choose.setText("…")
-        choose.setAccessibleName(tr("Choose the folder"))
-        choose.clicked.connect(self._choose_folder)
-        line = filled(QHBoxLayout(), (self.folder, 1), choose)
-        return line
+        choose = tool_button("…", "", self._choose_folder, tr("Choose the folder"))
+        return filled(QHBoxLayout(), (self.folder, 1), choose)
 
     def _choose_folder(self) -> None:
         chosen = QFileDialog.getExistingDirectory(self, tr("Folder"), self.folder.text())
@@ -170,9 +165,7 @@ class SweepDialog(Dialog):
         self.table.clear()
         self.table.setColumnCount(len(titles) + len(_FIGURES))
         self.table.setHorizontalHeaderLabels([*titles, *map(tr, _FIGURES)])
-        self.table.setRowCount(len(points))
-        for number, point in enumerate(points):
-            self.table.put(number, [*map(shown, point.changes.values()), "…"])
+        self.table.fill([[*map(shown, point.changes.values()), "…"] for point in points])
 
     def _show_row(self, sweep: Sweep, found: "tuple[int, PointRow]") -> None:
         number, row = found
@@ -218,7 +211,6 @@ class SweepDialog(Dialog):
             self.status.setText(f"{done}…" if busy else f"{done}, {self._sweep.folder}")
 
 
-_AT_MOST = 2  # fields at once
 # Nothing of the lens depends on these, or a sweep refuses them.
 _NOT = re.compile(r"unit|regions|images\[[1-9]|elements\[\d+\]\.(kind|name)$")
 _VALUES = later(
@@ -232,17 +224,15 @@ class SweepForm(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.fields = [Choice() for _ in range(_AT_MOST)]
-        self.values = [QLineEdit() for _ in range(_AT_MOST)]
+        titles = tr("Field"), tr("Second field")
+        self.fields = [Choice(title) for title in titles]
+        self.values = [QLineEdit() for _ in titles]
         self._rows: dict[str, FieldRow] = {}
         self.lines = QFormLayout(self)
         self.lines.setContentsMargins(0, 0, 0, 0)
-        titles = tr("Field"), tr("Second field")
         for title, field, values in zip(titles, self.fields, self.values, strict=True):
-            field.setAccessibleName(title)
             field.currentIndexChanged.connect(self._show_present)
-            values.setAccessibleName(tr("Values of {field}").format(field=title))
-            values.setToolTip(f"<p>{tr(_VALUES)}</p>")
+            named(values, tr("Values of {field}").format(field=title), f"<p>{tr(_VALUES)}</p>")
             line = filled(QHBoxLayout(), (field, 1), (values, 1))
             self.lines.addRow(title, line)
 

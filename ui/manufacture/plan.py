@@ -1,6 +1,6 @@
 """Dialog of a shop's plans: step-over and polishing for a wanted error as made."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -76,10 +76,10 @@ class PlanDialog(WorkDialog):
 
     def _show_plans(self, plans: "tuple[ShopPlan, ...]") -> None:
         self._plans, unit = plans, self._session.scene.unit
-        self.table.setRowCount(len(plans))
-        for row, plan in enumerate(plans):
+        rows: list[Sequence[str]] = []
+        for plan in plans:
             polish = "–" if plan.polishing is None else written(plan.polishing.width, unit)
-            about = "" if row == 0 else "≈ "
+            about = "≈ " if rows else ""
             texts = (
                 written(plan.milling.step_over, unit),
                 written(plan.milling.scallop, unit, 2),
@@ -87,7 +87,8 @@ class PlanDialog(WorkDialog):
                 f"{about}{100 * plan.error:.2f} %",
                 f"{plan.minutes:.0f}",
             )
-            self.table.put(row, texts)
+            rows.append(texts)
+        self.table.fill(rows)
         if plans:
             self.table.selectRow(0)
         self._allow()

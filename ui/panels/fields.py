@@ -246,23 +246,21 @@ class ChoiceRow(Row):
         changes: Callable[[str], Changes | None] | None = None,
     ) -> None:
         super().__init__(field, path)
-        choices = choices or [(value, tr(title)) for value, title in field.choices]
+        titles = dict(choices) or {value: tr(title) for value, title in field.choices}
         left_out = field.mark(LeftOut) if field.optional else None
+        if left_out is not None:
+            titles = {"": tr(left_out.title), **titles}
         self._optional = left_out is not None
         self._read = read or (lambda scene: str(value_at(scene, path) or ""))
         self._changes = changes or (lambda choice: {path: choice or None})
-        self.chooser = Chooser()
-        if left_out is not None:
-            self.chooser.addItem(tr(left_out.title), "")
-        for value, text in choices:
-            self.chooser.addItem(text, value)
+        self.chooser = Chooser(titles)
         self._add(self.chooser)
         self.chooser.activated.connect(self._choose)
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         super().show_scene(scene, pending)
         if self.path not in pending:
-            self.chooser.setCurrentIndex(self.chooser.findData(self._read(scene)))
+            self.chooser.choose(self._read(scene))
 
     def _is_there(self, scene: Any) -> bool:
         return super()._is_there(scene) and (self._optional or bool(self._read(scene)))

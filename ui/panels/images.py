@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.panels.crop import grey_image
 from ui.panels.edits import Edit
@@ -13,7 +13,7 @@ from ui.panels.fields import Row
 from ui.panels.panel import ListedPanel, PartPanel, another_name
 from ui.panels.rows import Rows
 from ui.panels.text_rows import PairsRow
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, push_button
 from ui.widgets.native import ScaledImage
 from ui.words import error_text, in_sentence, later, tr
 from workbench.arrays import Array
@@ -62,20 +62,10 @@ class TargetPanel(PartPanel):
         super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
         self._thumbnail = Thumbnail()
         self._tools = QWidget()
-        row = filled(QHBoxLayout(self._tools), STRETCH, margins=0)
-        for text, tip, act in (
-            (
-                tr("Crop and tone…"),
-                tr("Choose the part of the picture that is used, and its levels"),
-                self.adjust,
-            ),
-            (tr("Turn"), tr("Turn the picture by a quarter to the right"), self.turn),
-        ):
-            button = QPushButton(text)
-            button.setToolTip(tip)
-            button.clicked.connect(act)
-            row.addWidget(button)
-        row.addStretch(1)
+        tip = tr("Choose the part of the picture that is used, and its levels")
+        adjust = push_button(tr("Crop and tone…"), tip, self.adjust)
+        turn = push_button(tr("Turn"), tr("Turn the picture by a quarter to the right"), self.turn)
+        filled(QHBoxLayout(self._tools), STRETCH, adjust, turn, STRETCH, margins=0)
         self._form.insertRow(0, self._tools)
         self._form.insertRow(0, self._thumbnail)
 

@@ -22,7 +22,7 @@ from ui.panels.editors import Remark
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows, at_least
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, named, tool_button
 from ui.widgets.folds import Fold, Section, form_in
 from ui.words import in_sentence, tr
 from workbench.files.session import Session
@@ -164,8 +164,7 @@ class ListedPanel(Panel, Generic[AnyPart]):
         for line in (adders, self._of_chosen):
             column.addLayout(filled(QHBoxLayout(), *line, STRETCH, spacing=4))
         row = ListRow(replace(field, title=listed or field.title), self.path, content)
-        self._list.setAccessibleName(row.label.text())
-        row.label.setBuddy(self._list)
+        row.label.setBuddy(named(self._list, row.label.text()))
         super().__init__(tr(field.title), [row], field.level)
         self._list.currentRowChanged.connect(self._choose)
 
@@ -314,9 +313,6 @@ def _data(parts: Iterable[Part]) -> list[dict[str, Any]]:
 
 
 def _button(text: str, tip: str, act: Callable[[], None]) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
+    button = tool_button(text, tip, act)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # typed text is entered before it acts
-    button.clicked.connect(lambda _: act())
     return button

@@ -3,11 +3,10 @@
 from collections.abc import Set
 from typing import Any
 
-from PySide6.QtWidgets import QToolButton
-
 from ui.panels.editors import TextEditor
 from ui.panels.edits import Typed
 from ui.panels.fields import Row
+from ui.widgets.controls import tool_button
 from workbench.scene import FieldDescription
 from workbench.scene.paths import value_at
 
@@ -20,12 +19,8 @@ class TextRow(Row):
         self.editor = TextEditor()
         self._add(self.editor)
         if button_tip:
-            button = QToolButton()
-            button.setText("…")
-            button.setToolTip(button_tip)
-            button.setAccessibleName(button_tip)
-            button.clicked.connect(lambda: self.asked.emit(path))
-            self._add(button, 0)
+            ask = tool_button("…", button_tip, lambda: self.asked.emit(path), button_tip)
+            self._add(ask, 0)
         self.editor.committed.connect(
             lambda text: self._emit_edit(path, {path: self.value_of(text)})
         )

@@ -5,31 +5,25 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QHBoxLayout,
     QHeaderView,
-    QTableWidgetItem,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from ui.run.checks import RAYS, CheckedLens
-from ui.widgets.controls import STRETCH, Table, command_button, filled
+from ui.widgets.controls import STRETCH, Choice, Table, command_button, filled, tool_button
 from ui.widgets.labels import WrappedLabel, kept_together
 from ui.words import capitalised, in_sentence, later, tr
 from workbench.messages import Message
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from workbench.analysis.validation_figures import Validation
     from workbench.report.content import Fact
     from workbench.scene import Scene
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
-_ORIGINAL = Qt.ItemDataRole.UserRole  # the text without no-break spaces
 _NOTHING = later("F8 checks the design with an independent ray trace.")
 _TIPS = later(
     {
@@ -143,6 +137,7 @@ class CheckFigures(QWidget):
     def __init__(self, settings: QSettings, check: QAction) -> None:
         super().__init__()
         self._settings = settings
+        self._rows: list[tuple[str, str]] = []  # names and values
         self._hint = WrappedLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
         self._table = _NarrowTable()
@@ -150,24 +145,21 @@ class CheckFigures(QWidget):
         self._table.add_action(tr("Copy"), QKeySequence.StandardKey.Copy).triggered.connect(
             self.copy
         )
-        self._rays = QComboBox()
-        self._rays.setAccessibleName(tr("Rays of a check"))
-        self._rays.setToolTip(tr("Rays of a check; four times as many halve the noise"))
-        for rays in _CHOICES:
-            self._rays.addItem(tr("{rays} million rays").format(rays=rays // 1_000_000), rays)
-        kept = self._rays.findData(settings.value(_KEY, RAYS, type=int))
-        self._rays.setCurrentIndex(kept if kept >= 0 else _CHOICES.index(RAYS))
+        tip = tr("Rays of a check; four times as many halve the noise")
+        self._rays = Choice(tr("Rays of a check"), tip)
         self._rays.currentIndexChanged.connect(self._choose)
         ask = command_button(check)
-        self._copy = QToolButton()
-        self._copy.setText(tr("Copy"))
-        self._copy.setToolTip(tr("Copy all figures to the clipboard, tab-separated"))
-        self._copy.clicked.connect(self.copy)
+        tip = tr("Copy all figures to the clipboard, tab-separated")
+        self._copy = tool_button(tr("Copy"), tip, self.copy)
         self._copy.setEnabled(False)
         row = filled(
             QHBoxLayout(), self._rays, STRETCH, ask, self._copy, margins=(6, 4, 6, 4), spacing=6
         )
         filled(QVBoxLayout(self), self._hint, (self._table, 1), row, margins=0, spacing=0)
+        millions = tr("{rays} million rays")
+        titles = {rays: millions.format(rays=rays // 1_000_000) for rays in _CHOICES}
+        kept = settings.value(_KEY, RAYS, type=int)
+        self._rays.offer(titles, kept if kept in _CHOICES else RAYS)
 
     @property
     def rays(self) -> int:
@@ -176,7 +168,7 @@ class CheckFigures(QWidget):
     @property
     def text(self) -> str:
         """All figures, a line for each, with a tab between name and value."""
-        return "".join(f"{self._cell(n, 0)}\t{self._cell(n, 1)}\n" for n in range(self._count))
+        return "".join(f"{name}\t{value}\n" for name, value in self._rows)
 
     def show_check(self, lens: CheckedLens, found: "Validation", difference: float) -> None:
         # Late: it is slow to import, and is there after a check.
@@ -190,8 +182,7 @@ class CheckFigures(QWidget):
             ),
         ]
         lights = (lens.irradiance, *lens.further)
-        rows: list[Fact] = []
-        tips: list[str] = []
+        self._rows, tips = [], []
         for number, (image, off, own, scene) in enumerate(
             zip(found.images, differences, lights, lens.session.scene.single, strict=True), start=1
         ):
@@ -200,9 +191,12 @@ class CheckFigures(QWidget):
                 name = row.name
                 if found.further:
                     name = tr("image {number}: {name}").format(number=number, name=name)
-                rows.append(row._replace(name=name))
-                tips.append(tip)
-        self._fill(rows, tips)
+                self._rows.append((capitalised(name), row.value))
+                tips.append(f"<p>{tip}</p>")
+        self._table.setRowCount(len(self._rows))
+        for line, (texts, tip) in enumerate(zip(self._rows, tips, strict=True)):
+            self._table.put(line, [*map(kept_together, texts)], tip)
+        self._table.share_width()
         self._table.setEnabled(True)
         self._table.show()
         self._copy.setEnabled(True)
@@ -216,31 +210,12 @@ class CheckFigures(QWidget):
 
     def await_figures(self, under_way: bool) -> None:
         """Say whether figures come where there are none of the shown lens."""
-        before = tr("Outdated figures: the design has changed.") if self._count else ""
+        before = tr("Outdated figures: the design has changed.") if self._rows else ""
         self._hint.setText(tr("Checking…") if under_way else before or tr(_NOTHING))
 
     def copy(self) -> None:
-        if self._count:
+        if self._rows:
             QGuiApplication.clipboard().setText(self.text)
-
-    @property
-    def _count(self) -> int:
-        return self._table.rowCount()
-
-    def _cell(self, row: int, column: int) -> str:
-        item = self._table.item(row, column)
-        assert item is not None  # each row is filled
-        return str(item.data(_ORIGINAL))
-
-    def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
-        self._table.setRowCount(len(rows))
-        for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
-            for column, text in enumerate((capitalised(row.name), row.value)):
-                item = QTableWidgetItem(kept_together(text))
-                item.setData(_ORIGINAL, text)
-                item.setToolTip(f"<p>{tip}</p>")
-                self._table.setItem(number, column, item)
-        self._table.share_width()
 
     def _choose(self) -> None:
         self._settings.setValue(_KEY, self.rays)

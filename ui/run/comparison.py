@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from ui.document.frame import image_titles
 from ui.run.kept_runs import called
 from ui.run.status import clock
-from ui.widgets.controls import Choice, Table, filled, side_by_side
+from ui.widgets.controls import Choice, Table, filled, named, side_by_side
 from ui.widgets.figures import FigureCanvas, translate
 from ui.widgets.native import rgb_image
 from ui.words import capitalised, field_title, later, tr
@@ -77,14 +77,11 @@ class RunComparison(QDialog):
         super().__init__(window)
         self.setWindowTitle(tr("Comparison of two runs"))
         self._verified = verified
-        self._choice = Choice()
-        self._choice.setAccessibleName(tr("Image that is shown"))
-        self._choice.setToolTip(tr("Choose the image to compare"))
+        self._choice = Choice(tr("Image that is shown"), tr("Choose the image to compare"))
         self._choice.activated.connect(self._show_image)
         self.pair: Pair | None = None
         self._picture: Comparison | None = None
-        self._readout = QLabel(tr(_POINT))
-        self._readout.setAccessibleName(tr("Value under the pointer"))
+        self._readout = named(QLabel(tr(_POINT)), tr("Value under the pointer"))
         self._canvas = FigureCanvas(self, tr("Irradiance of both runs"), Figure())
         self._canvas.mpl_connect("motion_notify_event", self._read)
         self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(tr(_POINT)))

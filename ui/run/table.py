@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLineEdit,
-    QPushButton,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableWidgetItem,
@@ -21,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from ui.run.comparison import figures_of, thumbnail_of
 from ui.run.kept_runs import called
-from ui.widgets.controls import STRETCH, Table, filled
+from ui.widgets.controls import STRETCH, Table, filled, push_button
 from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
@@ -86,26 +85,18 @@ class RunTable(QWidget):
         self.table.itemSelectionChanged.connect(self._show_possible)
         delete = self.table.add_action(tr("Delete"), QKeySequence.StandardKey.Delete)
         delete.triggered.connect(self.delete)
-        self._restore = _button(
-            tr("Restore"), tr("Restore task and result of this run"), self.restore
-        )
-        self._delete = _button(tr("Delete"), tr("Delete the selected runs"), self.delete)
-        self._compare = _button(
-            tr("Compare"),
-            tr("Compare irradiance, figures and fields of two selected runs"),
-            self.compare,
-        )
+        self._restore, self._delete, self._compare = buttons = [
+            push_button(tr("Restore"), tr("Restore task and result of this run"), self.restore),
+            push_button(tr("Delete"), tr("Delete the selected runs"), self.delete),
+            push_button(
+                tr("Compare"),
+                tr("Compare irradiance, figures and fields of two selected runs"),
+                self.compare,
+            ),
+        ]
         self._editable = True
-        buttons = filled(
-            QHBoxLayout(),
-            self._restore,
-            self._delete,
-            self._compare,
-            STRETCH,
-            margins=(6, 4, 6, 4),
-            spacing=6,
-        )
-        filled(QVBoxLayout(self), (self._hint, 1), (self.table, 1), buttons, margins=0, spacing=0)
+        below = filled(QHBoxLayout(), *buttons, STRETCH, margins=(6, 4, 6, 4), spacing=6)
+        filled(QVBoxLayout(self), (self._hint, 1), (self.table, 1), below, margins=0, spacing=0)
         self.show_runs((), None)
 
     @property
@@ -221,10 +212,3 @@ def _show_too_long(editor: QLineEdit) -> None:
     QToolTip.showText(
         below, tr("A name has at most {count} characters").format(count=LONGEST_NAME), editor
     )
-
-
-def _button(text: str, tip: str, slot: Callable[[], None]) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(tip)
-    button.clicked.connect(slot)
-    return button

@@ -14,10 +14,8 @@ class ImageChoice(Choice):
     """Choice of an image of the scene, shared by all views."""
 
     def __init__(self, shared: SharedView) -> None:
-        super().__init__()
+        super().__init__(tr("Image that is shown"), tr("Choose the image to show"))
         self._shared = shared
-        self.setAccessibleName(tr("Image that is shown"))
-        self.setToolTip(tr("Choose the image to show"))
         self.activated.connect(shared.slot("number"))
         self.hide()
 
@@ -29,9 +27,7 @@ class FaceChoice(Choice):
     """Choice of a freeform face."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setAccessibleName(tr("Face"))
-        self.setToolTip(tr("Choose the freeform face"))
+        super().__init__(tr("Face"), tr("Choose the freeform face"))
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.hide()
 

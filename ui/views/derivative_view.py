@@ -12,6 +12,7 @@ from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, Request
+from ui.widgets.controls import named
 from ui.words import later, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
@@ -131,10 +132,10 @@ class DerivativeView(ImageView, ComputingView):
 
 
 def _index_box(axis: str) -> QSpinBox:
-    box = QSpinBox()
+    name = tr("Control point along {axis}").format(axis=axis)
+    tip = tr("Number of the control point along {axis}, counted from 0").format(axis=axis)
+    box = named(QSpinBox(), name, tip)
     box.setKeyboardTracking(False)
-    box.setToolTip(tr("Number of the control point along {axis}, counted from 0").format(axis=axis))
-    box.setAccessibleName(tr("Control point along {axis}").format(axis=axis))
     return box
 
 

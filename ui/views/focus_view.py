@@ -15,6 +15,7 @@ from ui.views.light_images import LightImageView
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, Request
+from ui.widgets.controls import named, push_button
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.analysis.validation_figures import Validation
@@ -134,22 +135,18 @@ class FocusView(LightImageView, ComputingView):
     def __init__(self, shared: SharedView | None = None) -> None:
         super().__init__(shared)
         self.background.progressed.connect(self._show_few)
-        self._slider = QSlider(Qt.Orientation.Horizontal)
+        tip = tr(
+            "Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is "
+            "unchanged"
+        )
+        self._slider = named(QSlider(Qt.Orientation.Horizontal), tr("Distance of the screen"), tip)
         self._slider.setRange(_NEAREST, _FARTHEST)
         self._slider.setValue(_SCREEN)
         self._slider.setSingleStep(_STEP)
         self._slider.setPageStep(_PAGE)
-        self._slider.setAccessibleName(tr("Distance of the screen"))
-        self._slider.setToolTip(
-            tr(
-                "Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is "
-                "unchanged"
-            )
-        )
         self._slider.valueChanged.connect(self._slide)
-        self._back = QPushButton(tr("At screen"))
-        self._back.setToolTip(tr("Return to the distance of the screen"))
-        self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
+        tip = tr("Return to the distance of the screen")
+        self._back = push_button(tr("At screen"), tip, lambda: self._slider.setValue(_SCREEN))
         self._more = QPushButton(tr("Curve"))
         self._more.setToolTip(tr("Plot the error against the distance"))
         self._more.setCheckable(True)

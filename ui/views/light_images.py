@@ -18,6 +18,7 @@ from ui.views.image_view import ImageView
 from ui.views.region_tool import RegionTool
 from ui.views.shared_view import Place, SharedView
 from ui.widgets import theme
+from ui.widgets.controls import named
 from ui.words import capitalised, later, tr
 from workbench.arrays import Array
 from workbench.design.loss import relative_error
@@ -79,11 +80,8 @@ class ScreenImageView(ImageView):
         return capitalised(tr(side_in_words(scene, viewed_from(scene)))), ""
 
     def _add_tool(self, icon: str, name: str, tip: str) -> QToolButton:
-        tool = QToolButton()
+        tool = named(QToolButton(autoRaise=True), name, tip)
         tool.setCheckable(True)
-        tool.setAutoRaise(True)
-        tool.setToolTip(tip)
-        tool.setAccessibleName(name)
         tool.setIcon(theme.icon(icon, self.palette()))
         self._icons[tool] = icon
         self._bottom.addWidget(tool)

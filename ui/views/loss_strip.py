@@ -7,13 +7,13 @@ import numpy as np
 from matplotlib.figure import Figure
 from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QFocusEvent, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QToolTip
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QToolTip
 
 from ui.document.frame import Frame, iterations_before
 from ui.views.image_canvas import write_figure
 from ui.views.shared_view import SharedView
 from ui.views.view import View
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, push_button
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.files.session import Session
@@ -171,14 +171,11 @@ class LossStrip(View):
         self._words.setToolTip(tr("Loss that the optimiser minimises"))
         longest = tr("Loss {loss}").format(loss=written(1.234e-10))
         self._words.setMinimumWidth(self.fontMetrics().horizontalAdvance(longest))
-        self._button = QPushButton(tr("Continue from here"))
-        self._button.setToolTip(
-            tr(
-                "Restore the design of this iteration and continue from it; Undo restores the "
-                "later one"
-            )
+        tip = tr(
+            "Restore the design of this iteration and continue from it; Undo restores the later one"
         )
-        self._button.clicked.connect(lambda: self.continued.emit(self._chosen))
+        go_on = tr("Continue from here")
+        self._button = push_button(go_on, tip, lambda: self.continued.emit(self._chosen))
         # Over the curve, which falls from the left: a drag must not move what is under the pointer.
         over = filled(QHBoxLayout(self.curve), STRETCH, self._button, margins=_EDGE)
         over.setAlignment(self._button, Qt.AlignmentFlag.AlignTop)

@@ -4,14 +4,14 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPushButton, QSlider
+from PySide6.QtWidgets import QLabel, QSlider
 
 from ui.background import Task
 from ui.views.choices import ImageChoice
 from ui.views.image_view import ImageView
 from ui.views.shared_view import SharedView
 from ui.views.view import ComputingView, Request
-from ui.widgets.controls import Chooser
+from ui.widgets.controls import Chooser, named, push_button
 from ui.words import capitalised, later, tr
 from workbench.analysis.photo.light import LIGHTS
 from workbench.pictures.images import PhotoImage
@@ -76,35 +76,29 @@ class PhotoView(ImageView, ComputingView):
 
     def _add_controls(self) -> None:
         self._choice = ImageChoice(self._shared)
-        self._light = Chooser()
-        self._light.setAccessibleName(tr("Light of the photo"))
-        self._light.setToolTip(
-            tr(
-                "Light of the photo: that of the source (daylight for collimated light, a laser "
-                "for a Gaussian beam, otherwise an LED), or another one"
-            )
+        lights = {name: capitalised(tr(light.title)) for name, light in LIGHTS.items()}
+        tip = tr(
+            "Light of the photo: that of the source (daylight for collimated light, a laser for a "
+            "Gaussian beam, otherwise an LED), or another one"
         )
-        self._light.addItem(tr("Light of the source"), "")
-        for name, light in LIGHTS.items():
-            self._light.addItem(capitalised(tr(light.title)), name)
+        chooser = Chooser({"": tr("Light of the source"), **lights})
+        self._light = named(chooser, tr("Light of the photo"), tip)
         self._light.currentIndexChanged.connect(self._want)
-        self._slider = QSlider(Qt.Orientation.Horizontal)
+        tip = tr("Exposure in stops; each stop doubles the brightness")
+        self._slider = named(QSlider(Qt.Orientation.Horizontal), tr("Exposure"), tip)
         self._slider.setRange(-_MOST * _STEPS, _MOST * _STEPS)
         self._slider.setPageStep(_STEPS)
-        self._slider.setAccessibleName(tr("Exposure"))
-        self._slider.setToolTip(tr("Exposure in stops; each stop doubles the brightness"))
         self._slider.valueChanged.connect(self._expose)
         self._stops = QLabel()
         self._stops.setMinimumWidth(
             self._stops.fontMetrics().horizontalAdvance(tr("{number} stops").format(number="−8⅔ "))
         )
-        self._usual = QPushButton("0")
-        self._usual.setToolTip(tr("Default exposure: the target's brightest pixel is white"))
-        self._usual.setAccessibleName(tr("Default exposure"))
-        self._usual.setMaximumWidth(2 * self._usual.sizeHint().height())
-        self._usual.clicked.connect(lambda: self._slider.setValue(0))
+        tip = tr("Default exposure: the target's brightest pixel is white")
+        name = tr("Default exposure")
+        usual = push_button("0", tip, lambda: self._slider.setValue(0), name)
+        usual.setMaximumWidth(2 * usual.sizeHint().height())
         self._expose()
-        for widget in (self._light, self._slider, self._stops, self._usual, self._choice):
+        for widget in (self._light, self._slider, self._stops, usual, self._choice):
             self._bottom.addWidget(widget, 1 if widget is self._slider else 0)
 
     def _expose(self) -> None:

@@ -16,7 +16,7 @@ from ui.document.frame import Frame
 from ui.views.plot_view import PlotView
 from ui.views.shared_view import Line, Place, SharedView
 from ui.views.tools import ARROWS
-from ui.widgets.controls import Chooser
+from ui.widgets.controls import Chooser, named
 from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.pictures.axes import Extent
@@ -45,11 +45,9 @@ class SectionView(PlotView):
         self._place: Place = (0.0, 0.0)
         self._image_number = self._shared.now.number
         self._line: Line | None = None  # from corner to corner until one is drawn
-        self._direction = Chooser()
-        self._direction.setAccessibleName(tr("Along"))
+        titles = {direction: tr(text) for direction, text in _DIRECTIONS.items()}
+        self._direction = named(Chooser(titles), tr("Along"))
         self._direction.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        for direction, text in _DIRECTIONS.items():
-            self._direction.addItem(tr(text), direction)
         self._direction.activated.connect(self._turn)
         self._add_in_corner(self._direction)
         self._shared.pinned.connect(self._pin)
@@ -113,7 +111,7 @@ class SectionView(PlotView):
 
     def _show_line(self, line: Line) -> None:
         self._line = line
-        self._direction.setCurrentIndex(self._direction.findData("line"))
+        self._direction.choose("line")
         self._turn()
 
     def _draw(self, session: Session, frame: Frame | None) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from ui.document.frame import Frame
 from ui.views.choices import FaceChoice
 from ui.views.image_view import ImageView
-from ui.widgets.controls import Chooser
+from ui.widgets.controls import Chooser, named
 from ui.words import capitalised, tr
 from workbench.arrays import Array
 from workbench.files.session import Session
@@ -24,11 +24,10 @@ class FaceMapView(ImageView):
 
     def __init__(self, quantities: Sequence[tuple[str, str]]) -> None:
         super().__init__()
-        self.faces, self.chooser = FaceChoice(), Chooser()
-        self.chooser.setAccessibleName(tr("What the map shows"))
-        self.chooser.setMinimumContentsLength(max(len(name) for name, _ in quantities))
-        for number, (name, tip) in enumerate(quantities):
-            self.chooser.addItem(capitalised(name))
+        titles = {number: capitalised(name) for number, (name, _) in enumerate(quantities)}
+        self.faces, self.chooser = FaceChoice(), named(Chooser(titles), tr("What the map shows"))
+        self.chooser.setMinimumContentsLength(max(map(len, titles.values())))
+        for number, (_, tip) in enumerate(quantities):
             self.chooser.setItemData(number, f"<p>{tip}</p>", Qt.ItemDataRole.ToolTipRole)
         self.faces.currentIndexChanged.connect(self._choose)
         self.chooser.currentIndexChanged.connect(self._choose)

@@ -1,6 +1,6 @@
-"""Filling of layouts, chooser, table, splitter, and the layout of a picture and its form."""
+"""Filling of layouts, buttons, choices, table, splitter, and a picture beside its form."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt
@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHeaderView,
     QLayout,
+    QPushButton,
     QScrollArea,
     QSizePolicy,
     QSplitter,
@@ -28,6 +29,7 @@ Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int]
 """A part, perhaps with its stretch factor, or a stretch."""
 Box = TypeVar("Box", bound=QBoxLayout)
+Widget = TypeVar("Widget", bound=QWidget)
 
 STRETCH = 1
 """Empty space between the parts of a layout."""
@@ -55,15 +57,42 @@ def filled(
     return box
 
 
-class Chooser(QComboBox):
-    """A combo box that the mouse wheel scrolls past."""
+def named(widget: Widget, name: str, tip: str = "") -> Widget:
+    """Return a widget with an accessible name and a tip."""
+    widget.setAccessibleName(name)
+    widget.setToolTip(tip)
+    return widget
 
-    def __init__(self) -> None:
+
+def push_button(text: str, tip: str, act: Callable[[], object], name: str = "") -> QPushButton:
+    """Return a button that acts when it is clicked; a sign as its text needs a name."""
+    button = named(QPushButton(text), name, tip)
+    button.clicked.connect(lambda _: act())
+    return button
+
+
+def tool_button(text: str, tip: str, act: Callable[[], object], name: str = "") -> QToolButton:
+    """Return a small button that acts when it is clicked; a sign as its text needs a name."""
+    button = named(QToolButton(), name, tip)
+    button.setText(text)
+    button.clicked.connect(lambda _: act())
+    return button
+
+
+class Chooser(QComboBox):
+    """A choice among titled values, which the mouse wheel scrolls past."""
+
+    def __init__(self, titles: Mapping[Any, str]) -> None:
         super().__init__()
+        for value, title in titles.items():
+            self.addItem(title, value)
         # Long entries must not widen the whole form.
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(4)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def choose(self, value: object) -> None:
+        self.setCurrentIndex(self.findData(value))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
@@ -71,6 +100,10 @@ class Chooser(QComboBox):
 
 class Choice(QComboBox):
     """A choice among titled values; hidden where there is only one."""
+
+    def __init__(self, name: str, tip: str = "") -> None:
+        super().__init__()
+        named(self, name, tip)
 
     def offer(self, titles: Mapping[Any, str], chosen: object) -> None:
         """Offer titles by values, and choose one of them or else the first, without a signal."""
@@ -172,15 +205,21 @@ class Table(QTableWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
 
-    def put(self, row: int, texts: Sequence[str], column: int = 0, bold: bool = False) -> None:
-        """Write texts from a column on; each is its own tip, since it may be cut off."""
+    def fill(self, rows: Sequence[Sequence[str]]) -> None:
+        """Show rows of texts in place of those that are there."""
+        self.setRowCount(len(rows))
+        for number, texts in enumerate(rows):
+            self.put(number, texts)
+
+    def put(self, row: int, texts: Sequence[str], tip: str = "", bold: bool = False) -> None:
+        """Write texts with a tip; by default each is its own tip, since it may be cut off."""
         font = self.font()
         font.setBold(bold)
-        for place, text in enumerate(texts, column):
+        for column, text in enumerate(texts):
             item = QTableWidgetItem(text)
-            item.setToolTip(text)
+            item.setToolTip(tip or text)
             item.setFont(font)
-            self.setItem(row, place, item)
+            self.setItem(row, column, item)
 
     def add_action(self, text: str, keys: QKeySequence.StandardKey) -> QAction:
         """Add an action of the table that has a key."""

@@ -14,12 +14,11 @@ from PySide6.QtWidgets import (
     QMessageBox,
     QPlainTextEdit,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from ui.widgets.controls import STRETCH, filled
+from ui.widgets.controls import STRETCH, filled, tool_button
 from ui.widgets.labels import WrappedLabel
 from ui.widgets.marks import Mark, Sign
 from ui.words import tr
@@ -52,11 +51,9 @@ class Notice(QFrame):
         mark = Mark(_MARKS[kind])
         words = WrappedLabel(text, textFormat=Qt.TextFormat.PlainText)
         words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        close = QToolButton(autoRaise=True)
-        close.setText("✕")
-        close.setToolTip(tr("Close this message"))
-        close.setAccessibleName(tr("Close this message"))
-        close.clicked.connect(self.closed)
+        name = tr("Close this message")
+        close = tool_button("✕", name, self.closed.emit, name)
+        close.setAutoRaise(True)
         self.buttons = [QPushButton(words) for words, _ in offers]
         for button, (_, act) in zip(self.buttons, offers, strict=True):
             button.clicked.connect(self.closed)
