@@ -13,7 +13,7 @@ from collections.abc import Callable, Generator
 from contextlib import closing
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal, Slot
 
@@ -38,37 +38,59 @@ End = TypeVar("End")
 
 
 class Task:
-    """Requested work, as seen by its thread; ``report`` passes values to the window's thread.
+    """Requested work; its thread and whoever began it hold, stop and report by this.
 
     What `ui.widgets.shelf` shows: ``title``, ``part`` of the work that is done (0 to 1, if known),
     and at the end ``outcome``, a sentence, with ``path``, the written file or folder.
     """
 
     def __init__(
-        self, work: "Work", request: object, report: Callable[["Task", object], object], title: str
+        self, work: "Work", request: Any, report: Callable[["Task", object], object], title: str
     ) -> None:
         self.request, self.title = request, title
         self.part: float | None = None
         self.outcome = ""
         self.path: Path | None = None
         self.wanted = True
+        self.held = self.stopped = self.given_up = False
+        self.heard = True  # whether the window has taken what was reported last
         self.ended = False
         self.result: object = None
         self.error: Exception | None = None
         self._work, self._report = work, report
-        self._stopped = threading.Event()
-
-    @property
-    def stopped(self) -> bool:
-        return self._stopped.is_set()
+        self._changed = threading.Condition()
 
     def stop(self) -> None:
-        self._stopped.set()
+        """Ask the work to end soon, also while it is held; its result is emitted."""
+        with self._changed:
+            self.stopped = True
+            self._changed.notify_all()
+
+    def give_up(self) -> None:
+        """End the work at once, wherever it asks; without a result."""
+        self.given_up = True
+        self.stop()
+
+    def hold(self) -> None:
+        """Make the next `passes` wait."""
+        self.held = True
+
+    def release(self) -> None:
+        with self._changed:
+            self.held = False
+            self._changed.notify_all()
+
+    def passes(self) -> bool:
+        """Wait in the thread while held; whether the work may go on."""
+        with self._changed:
+            self._changed.wait_for(lambda: self.stopped or not self.held)
+            return not self.stopped
 
     def report(self, value: object) -> None:
         """Report progress, as the part that is done or otherwise, from the thread of the work."""
         if isinstance(value, float):
             self.part = value
+        self.heard = False
         self._report(self, value)
 
     def follow(
@@ -88,7 +110,7 @@ class Task:
 
     def run(self) -> None:
         try:
-            with given_up_when(lambda: not self.wanted):
+            with given_up_when(lambda: self.given_up or not self.wanted):
                 self.result = self._work(self)
         except Interrupted:
             pass
@@ -150,15 +172,17 @@ class Background(QObject):
         """Whether stopped work has not yet emitted its result."""
         return self._task is not None and self._task.wanted and self._task.stopped
 
-    def begin(self, work: Work, request: object = None, title: str = "") -> None:
-        """Execute work with its `Task`, now or when the thread is free; none once closed."""
+    def begin(self, work: Work, request: object = None, title: str = "") -> Task:
+        """Execute work with its `Task`, now or when the thread is free; never once closed."""
+        task = Task(work, request, self._reported.emit, title)
         if self._closed:
-            return
+            return task
         if not self._finish_first:
             self.cancel()
-        self._next = Task(work, request, self._reported.emit, title)
+        self._next = task
         if self._task is None:
             self._begin_next()
+        return task
 
     def stop(self) -> None:
         """Ask the work to end soon; its result is emitted."""
@@ -203,6 +227,7 @@ class Background(QObject):
     @Slot(object, object)
     def _pass_on(self, task: Task, value: object) -> None:
         if task is self._task and task.wanted:
+            task.heard = True
             self.progressed.emit(task.request, value)
             self._show(task)
 

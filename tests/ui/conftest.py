@@ -20,6 +20,7 @@ from ui.document.document import Document
 from ui.document.frame import make_frame
 from ui.main_window import MainWindow
 from ui.panels.forms import Forms
+from ui.run import worker
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import History, Snapshot
 from workbench.files.session import Session
@@ -199,8 +200,9 @@ def as_run(snapshots):
 
 
 @pytest.fixture
-def as_seen_run(snapshots):
+def as_seen_run(snapshots, monkeypatch):
     """A run like `as_run`'s of which a runner's listeners see every snapshot, however slow."""
+    monkeypatch.setattr(worker, "_FRAME_S", 0.0)
 
     def make(runner, iterations, snapshots=snapshots):
         seen = []

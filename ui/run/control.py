@@ -5,18 +5,17 @@ from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.background import Background
+from ui.background import Background, Task
 from ui.document.document import Document
 from ui.document.frame import Frame, iterations_before
 from ui.document.shown_lens import FrameHistory
 from ui.run.kept_runs import called, with_run
-from ui.run.worker import Generate, RunJob, work
+from ui.run.worker import Generate, RunJob, Seen, work
 from ui.words import later, tr
 from workbench.design.snapshot import Result
 from workbench.design.task import origin
 from workbench.files.session import Session
 
-_FRAME_MS = 66  # 15 Hz
 _PATIENCE_MS = 3000  # after which a run that was stopped is given up
 
 
@@ -39,14 +38,12 @@ class Runner(QObject):
         self._generate = generate
         self.state = "idle"  # or "running", "paused", "stopping"
         self._waiting = False
-        self._job: RunJob | None = None
+        self._task: Task | None = None  # of a job
         self.best: Result | None = None  # of the active run so far
         self._background = Background(later("run"), self)
-        self._background.progressed.connect(self._wait)
+        self._background.progressed.connect(self._show)
         self._background.done.connect(lambda *_: self._end())
         self._background.failed.connect(self._end)
-        self._timer = QTimer(self, interval=_FRAME_MS)
-        self._timer.timeout.connect(self._take_frame)
         self._patience = QTimer(self, singleShot=True, interval=_PATIENCE_MS)
         self._patience.timeout.connect(self._give_up)
 
@@ -72,13 +69,13 @@ class Runner(QObject):
             self._drop_job()
 
     def pause(self) -> None:
-        if self._job is not None and self.state == "running":
-            self._job.gate.hold()
+        if self._task is not None and self.state == "running":
+            self._task.hold()
             self._set_state("paused")
 
     def resume(self) -> None:
-        if self._job is not None and self.state == "paused":
-            self._job.gate.release()
+        if self._task is not None and self.state == "paused":
+            self._task.release()
             self._set_state("running")
 
     def stop(self) -> None:
@@ -86,8 +83,8 @@ class Runner(QObject):
 
         Work that takes longer than a person waits, such as a first design, is given up.
         """
-        if self._job is not None and self.state in ("running", "paused"):
-            self._job.gate.stop()
+        if self._task is not None and self.state in ("running", "paused"):
+            self._task.stop()
             self._patience.start()
             self._set_state("stopping")
 
@@ -99,37 +96,29 @@ class Runner(QObject):
 
     def _give(self, job: RunJob) -> None:
         self._drop_job()
-        self._job = job
-        self._timer.start()
-        self._background.begin(partial(work, job), job)
+        self._task = self._background.begin(partial(work, job), job)
 
     def _drop_job(self) -> None:
         self._set_waiting(False)
-        self._timer.stop()
         self._patience.stop()
         self.best = None
-        if self._job is not None:
-            self._job.gate.stop()
-            self._job = None
+        if self._task is not None:
+            self._task = None
             self._background.cancel()
 
     def _give_up(self) -> None:
-        if self._job is not None:
-            self._job.gate.give_up()
+        if self._task is not None:
+            self._task.give_up()
 
-    def _take_frame(self) -> None:
-        if self._job is None:
-            return
-        frame = self._job.mailbox.take()
-        self.best = self._job.best.take() or self.best
-        if frame is not None:
-            self._set_waiting(False)
-            self.frame_ready.emit(frame)
+    def _show(self, _: RunJob, seen: Seen | None) -> None:
+        self._set_waiting(seen is None)
+        if seen is not None:
+            self.best = seen.best or self.best
+            self.frame_ready.emit(seen.frame)
 
     def _end(self, failure: str = "") -> None:
-        job = self._job
-        assert job is not None  # a dropped one ends without a signal
-        self._take_frame()
+        assert self._task is not None  # a dropped one ends without a signal
+        job: RunJob = self._task.request
         self._drop_job()
         self._set_state("idle")
         if failure:
@@ -138,9 +127,6 @@ class Runner(QObject):
             self.finished.emit(job.history.result())
         elif failure:
             self.unshown.emit(job.session)
-
-    def _wait(self) -> None:
-        self._set_waiting(True)
 
     def _set_waiting(self, waiting: bool) -> None:
         if waiting != self._waiting:

@@ -13,25 +13,24 @@
 """
 
 from collections.abc import Generator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from ui.background import Background
+from ui.background import Background, Task
 from ui.document.document import Document
 from ui.document.frame import Frame
 from ui.run.control import RunControl
 from ui.run.kept_runs import called, with_followed
-from ui.run.worker import RunJob, frame_of, work
+from ui.run.worker import RunJob, Seen, frame_of, work
 from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.snapshot import STOPPED, Result, Snapshot
 from workbench.files.session import Session
 from workbench.messages import Message
 
-_FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _GRACE_MS = 500  # that a design has for its first result once an edit waits for its end
 _LATE_MS = 3000  # without a first result, before the status reports a slow task
 _SOON = 1.0  # seconds within which a first result comes on a machine that keeps up
@@ -46,6 +45,7 @@ class _Design:
     job: RunJob
     own_step: bool = False
     own_edit: bool = False
+    task: Task = field(init=False)  # once it is queued
     began: float = 0.0
     has_lens: bool = False
 
@@ -78,10 +78,9 @@ class Follow(QObject):
         self._next: _Design | None = None
         self._seen: Frame | None = None  # of what follows
         self._background = Background(later("live update"), self, finish_first=True)
-        self._background.done.connect(self._end)
+        self._background.progressed.connect(self._show_seen)
+        self._background.done.connect(lambda *_: self._end())
         self._background.failed.connect(self._fail)
-        self._look = QTimer(self)
-        self._look.timeout.connect(self._take_frame)
         self._late = QTimer(self, singleShot=True, interval=_LATE_MS)
         self._late.timeout.connect(lambda: self._show_text(self._named(_SLOW)))
         self._pause = 0.0  # seconds without an edit before its design begins
@@ -111,8 +110,6 @@ class Follow(QObject):
     def hold(self, holder: str, held: bool) -> None:
         """Pause for a check or a page; edits meanwhile and a missing lens are designed after it."""
         before = self._held
-        if held and not before:
-            self._take_frame()
         (self._holders.add if held else self._holders.discard)(holder)
         if self._held == before:
             return
@@ -146,11 +143,16 @@ class Follow(QObject):
 
     def _note_change(self, session: Session) -> None:
         self._changes += 1
+        QTimer.singleShot(0, self, self._rest_after_change)
         if self._rested.isActive():  # an edit begins the pause anew after this
             self._rested.start(0)
         opened = not self._document.undo_stack.count()
         if opened and session.heights is None and self.follows(session):
             self._begin(session, abandons=True)
+
+    def _rest_after_change(self) -> None:
+        if self._changes and self._wanted is not None and not self._held:  # by somebody else
+            self.rest()
 
     def _begin_new(self, session: Session) -> None:
         if self.follows(session):
@@ -203,7 +205,7 @@ class Follow(QObject):
         self._next, self._waiting = self._waiting, None
         if self._next is None:
             return
-        self._background.begin(partial(work, self._next.job), self._next)
+        self._next.task = self._background.begin(partial(work, self._next.job))
         if self._design is None:
             self._take_next()
         elif self._design.has_lens:
@@ -215,7 +217,7 @@ class Follow(QObject):
         design = self._design
         if design is None:
             return
-        design.job.gate.give_up()
+        design.task.give_up()
         if not design.has_lens:  # its first result would have taken longer still
             self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
@@ -229,28 +231,18 @@ class Follow(QObject):
         self._design, self._next = self._next, None
         self._late.stop()
         self._grace.stop()
-        if self._design is None:
-            self._look.stop()
-            return
-        self._design.began = monotonic()
-        self._look.start(_FIRST_MS)
-        self._late.start()
+        if self._design is not None:
+            self._design.began = monotonic()
+            self._late.start()
 
-    def _take_frame(self) -> None:
-        design = self._design
-        if design is None or self._wanted is None or self._held:
-            return
-        if self._changes:  # by somebody else
-            self.rest()
-            return
-        frame = design.job.mailbox.take()
-        if frame is None:
+    def _show_seen(self, _: object, seen: Seen) -> None:
+        design, (best, frame) = self._design, seen
+        if design is None or self._wanted is None or self._held or self._changes:
             return
         self._seen = frame
         self._control.show(frame)
         if frame.snapshot.iteration:
             self._note_lens(design)
-        best = design.job.best.take()
         if best is not None and best.iterations and design.session is self._wanted:
             # Whatever ends the design before it does so itself, it can go on from there.
             self._put(design, replace(best, ended=Message(STOPPED)))
@@ -260,7 +252,6 @@ class Follow(QObject):
             design.has_lens = True
             self._late.stop()
             self._pause = _pause_after(monotonic() - design.began)
-            self._look.start(_FRAME_MS)
         if self._next is not None:
             self._give_up()
 
@@ -278,8 +269,9 @@ class Follow(QObject):
             self._control.displaced.emit(called(run))
         self._show_text(self._named(_UNDER_WAY))
 
-    def _end(self, design: _Design, _: object) -> None:
-        self._take_frame()
+    def _end(self) -> None:
+        design = self._design
+        assert design is not None  # since its work has ended
         best = design.job.history.result()
         wanted = self._is_wanted(design)
         if wanted and best is not None and best.iterations:
@@ -298,7 +290,7 @@ class Follow(QObject):
             self.failed.emit(sentence)
 
     def _is_wanted(self, design: _Design) -> bool:
-        elsewhere = self._changes or self._held or design.job.gate.given_up
+        elsewhere = self._changes or self._held or design.task.given_up
         return design.session is self._wanted and not elsewhere
 
     def _rest_for_run(self, state: str) -> None:
@@ -311,7 +303,6 @@ class Follow(QObject):
         self._next = self._waiting = None
         self._rested.stop()
         self._give_up()
-        self._look.stop()
         self._late.stop()
         self._grace.stop()
         self._seen = None

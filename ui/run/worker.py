@@ -1,14 +1,14 @@
 """The side of a run in its own thread, which touches no widget.
 
-1. A job has its own session, gate and mailbox: stopping one job does not affect the next.
+1. A job has its own session and task: stopping one job does not affect the next.
 2. A frame is computed once the window has taken the previous one, before a pause, and at the end.
-3. A paused run waits at the gate's condition, without polling.
+3. A paused run waits in its task, without polling.
 """
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
-from threading import Condition, Lock
-from typing import Generic, TypeVar
+from time import monotonic
+from typing import NamedTuple
 
 from ui.background import Task
 from ui.document.frame import Frame, make_frame
@@ -16,73 +16,19 @@ from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.files.session import Session
 from workbench.geometry.faces import ControlHeights, Locks
-from workbench.progress import given_up_when, interrupted_when
+from workbench.progress import interrupted_when
 from workbench.scene import Run, Scene
 
-Value = TypeVar("Value")
-
-
-class Mailbox(Generic[Value]):
-    """Passes the latest value between threads."""
-
-    def __init__(self) -> None:
-        self._lock = Lock()
-        self._value: Value | None = None
-
-    @property
-    def empty(self) -> bool:
-        """Whether the last value was taken: its reader wants another."""
-        with self._lock:
-            return self._value is None
-
-    def put(self, value: Value) -> None:
-        with self._lock:
-            self._value = value
-
-    def take(self) -> Value | None:
-        """Take the latest value; None if there is none since the last time."""
-        with self._lock:
-            value, self._value = self._value, None
-            return value
-
+_FRAME_S = 0.066  # between two frames of a run; the first lens of a design follows at once
 
 Generate = Callable[["Scene", Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
 
 
-class Gate:
-    """Pauses and stops a run."""
+class Seen(NamedTuple):
+    """What the window is shown of a job: the best lens so far, unless it is a preview; a frame."""
 
-    def __init__(self) -> None:
-        self._changed = Condition()
-        self.held = False
-        self.stopped = self.given_up = False
-
-    def hold(self) -> None:
-        """Make the next `passes` wait."""
-        with self._changed:
-            self.held = True
-
-    def release(self) -> None:
-        with self._changed:
-            self.held = False
-            self._changed.notify_all()
-
-    def stop(self) -> None:
-        """End the run at its next `passes`, also while it waits there."""
-        with self._changed:
-            self.stopped = True
-            self._changed.notify_all()
-
-    def give_up(self) -> None:
-        """End the run as soon as possible, for another one."""
-        self.given_up = True
-        self.stop()
-
-    def passes(self) -> bool:
-        """Wait while held; whether the run may go on."""
-        with self._changed:
-            self._changed.wait_for(lambda: self.stopped or not self.held)
-            return not self.stopped
+    best: Result | None
+    frame: Frame
 
 
 @dataclass(eq=False)
@@ -93,9 +39,6 @@ class RunJob:
     preview: bool = False
     continue_run: bool = False
     generate: Generate | None = None
-    gate: Gate = field(default_factory=Gate)
-    mailbox: Mailbox[Frame] = field(default_factory=Mailbox)
-    best: Mailbox[Result] = field(default_factory=Mailbox)
     history: History = field(init=False)
 
     def __post_init__(self) -> None:
@@ -110,42 +53,40 @@ def frame_of(session: Session, result: Result) -> Frame:
 
 
 def work(job: RunJob, task: Task) -> None:
-    """Do a job in a thread; reports if it has to wait for kernels."""
+    """Do a job in a thread; reports what is `Seen`, and None if it has to wait for kernels."""
     if job.preview:
-        _show(job)
+        _show(job, task)
     else:
         _run(job, task)
 
 
 def _run(job: RunJob, task: Task) -> None:
-    gate, unseen = job.gate, None
+    unseen, shown_at = None, 0.0
     if job.generate is None and not _ready():
-        task.report("waits")
+        task.report(None)
     snapshots = job.history.follow(_snapshots(job))
     try:
-        with (
-            interrupted_when(lambda: gate.stopped),
-            given_up_when(lambda: gate.given_up or not task.wanted),
-        ):
+        with interrupted_when(lambda: task.stopped):
             for snapshot in snapshots:
                 unseen = snapshot
-                if gate.held or job.mailbox.empty:
-                    _post(job, snapshot)
-                    unseen = None
-                if not gate.passes():
+                due = snapshot.iteration < 2 or monotonic() - shown_at >= _FRAME_S
+                if task.held or (task.heard and due):
+                    _post(job, snapshot, task)
+                    unseen, shown_at = None, monotonic()
+                if not task.passes():
                     break
     finally:
         snapshots.close()
-        if unseen is not None and not gate.given_up:
-            _post(job, unseen)
+        if unseen is not None and not task.given_up:
+            _post(job, unseen, task)
 
 
-def _show(job: RunJob) -> None:
+def _show(job: RunJob, task: Task) -> None:
     result = job.session.result
-    if job.gate.stopped:
+    if task.stopped:
         return
     if result is not None:
-        job.mailbox.put(frame_of(job.session, result))
+        task.report(Seen(None, frame_of(job.session, result)))
         return
     from workbench.optics.ready import without_waiting
 
@@ -155,7 +96,7 @@ def _show(job: RunJob) -> None:
             snapshot = next(snapshots)
     finally:
         snapshots.close()
-    job.mailbox.put(make_frame(job.session, snapshot, History()))
+    task.report(Seen(None, make_frame(job.session, snapshot, History())))
 
 
 def _snapshots(job: RunJob) -> Generator[Snapshot, None, str]:
@@ -168,12 +109,9 @@ def _snapshots(job: RunJob) -> Generator[Snapshot, None, str]:
     return (yield from generate(session.scene, session.target, start, locked))
 
 
-def _post(job: RunJob, snapshot: Snapshot) -> None:
-    """Post the best lens, then the frame: a reader of the frame has both."""
+def _post(job: RunJob, snapshot: Snapshot, task: Task) -> None:
     best = job.history.result()
-    if best is not None:
-        job.best.put(best)
-    job.mailbox.put(make_frame(job.session, snapshot, job.history))
+    task.report(Seen(best, make_frame(job.session, snapshot, job.history)))
 
 
 def _ready() -> bool:

@@ -9,6 +9,7 @@ import pytest
 
 from ui.document.document import Document
 from ui.run import follow as followed
+from ui.run import worker
 from ui.run.checks import Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
@@ -104,7 +105,8 @@ class Desk:
 
 
 @pytest.fixture
-def make_desk(engine, qtbot, designed):
+def make_desk(engine, qtbot, designed, monkeypatch):
+    monkeypatch.setattr(worker, "_FRAME_S", 0.0)  # each lens is seen
     desks = []
 
     def make(session=designed, on=True, **options):
@@ -213,6 +215,7 @@ def test_an_abandoned_design_ends_before_its_first_lens(desk, qtbot, designed, w
     qtbot.waitUntil(lambda: begun == [7])
     if way == "undo":
         desk.document.undo_stack.undo()
+        qtbot.waitUntil(lambda: desk.follow.text == "")
     elif way == "begin":
         desk.document.begin(designed, "new")
         qtbot.waitUntil(lambda: begun == [7, 5])
