@@ -27,7 +27,7 @@ from ui.document.document import Document
 from ui.files.actions import Answer, FileActions, RecentFiles
 from ui.files.dialogs import ChosenFiles
 from ui.files.exporter import Exporter, Reporter
-from ui.manufacture.cutter import AskOptions
+from ui.manufacture.cutter import ask_options
 from ui.manufacture.plan import PlanDialog
 from ui.run.control import NO_LENS, CurrentLens
 from ui.window.docks import EarlyParts, PaneFocus
@@ -85,7 +85,7 @@ class MainWindow(QMainWindow):
         self.files = FileActions(self._lens, recent, dialogs)
         self.files.offer = self._chosen.offer
         self.exporter = Exporter(self._lens, dialogs)
-        self.exporter.ask_options = AskOptions(self, settings)
+        self.exporter.ask_options = partial(ask_options, self, settings)
         self.reporter = Reporter(self._lens, dialogs)
         self.measured = Measured(self._lens, dialogs, settings)
         self.sweep: SweepDialog | None = None  # once it was asked for

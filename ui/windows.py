@@ -21,27 +21,8 @@ from workbench.files.session import open_design
 _SLOW = ("workbench.pictures.lens", "workbench.pictures.axes", "workbench.design.run")
 
 
-class WarmUp(QObject):
-    """Imports in another thread."""
-
-    imported = Signal()
-    failed = Signal(str)
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._background = Background(later("start"), self)
-        self._background.progressed.connect(self.imported)
-        self._background.failed.connect(self.failed)
-
-    def start(self) -> None:
-        self._background.begin(_warm_up)
-
-    def wait(self) -> None:
-        """Wait for the present import or compilation: Python may crash if it ends within one."""
-        self._background.close()
-
-
-def _warm_up(task: Task) -> None:
+def warm_up(task: Task) -> None:
+    """Import what is slow, in a thread; report that, then load kernels."""
     try:
         for module in _SLOW:
             if not task.stopped:
@@ -65,10 +46,10 @@ class Windows(QObject):
         super().__init__()
         self._settings, self._folder = settings, folder
         self._recoveries: dict[MainWindow, Recovery] = {}
-        self._warm_up = WarmUp()
+        self._loading = Background(later("start"), self)
         self._warm = False  # whether views can be built without holding the windows up
-        self._warm_up.imported.connect(self.loaded)
-        self._warm_up.failed.connect(self.log)
+        self._loading.progressed.connect(lambda *_: self.loaded.emit())
+        self._loading.failed.connect(self.log)
         self.loaded.connect(self._build_all)
         self._quitting = self._leaving = False
 
@@ -110,7 +91,7 @@ class Windows(QObject):
 
     def warm_up(self) -> None:
         """Load what is slow, then build the views of the windows."""
-        self._warm_up.start()
+        self._loading.begin(warm_up)
 
     def recover(self, window: MainWindow) -> bool:
         """Offer unsaved work, the first in ``window``; whether any was opened."""
@@ -153,7 +134,8 @@ class Windows(QObject):
             window.discard_and_close()
 
     def wait(self) -> None:
-        self._warm_up.wait()
+        """Wait for the present import or compilation: Python may crash if it ends within one."""
+        self._loading.close()
 
     def show_unexpected_error(self, sentence: str, details: str) -> None:
         window = self.active()

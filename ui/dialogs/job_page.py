@@ -13,8 +13,6 @@ from ui.dialogs.estimate import EstimateView
 from ui.dialogs.job_form import JobForm
 from ui.files.dialogs import FileDialogs
 from ui.panels.editors import Remark
-from ui.panels.images import image_files
-from ui.panels.scene import light_files
 from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.words import tr
 from workbench.errors import Refused
@@ -137,16 +135,12 @@ class JobPage(QWidget):
             self._refusal.show_text(f"\N{WARNING SIGN} {why}")
 
     def _choose_file(self, asking: str) -> None:
-        kind, title, files, choose = (
-            ("light", tr("File of light"), light_files(), self.form.choose_light)
-            if asking == "file"
-            else ("image", tr("Picture"), image_files(), self.form.choose_image)
-        )
-        path = self._dialogs.to_open(kind, title, files)
-        if path is not None:
-            choose(path)
-        else:
+        light = asking == "file"
+        path = self._dialogs.light() if light else self._dialogs.picture(tr("Picture"))
+        if path is None:
             self.form.show_rows()
+        else:
+            (self.form.choose_light if light else self.form.choose_image)(path)
 
 
 def _key(kind: type[Job]) -> str:

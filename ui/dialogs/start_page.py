@@ -21,7 +21,6 @@ from resources import EXAMPLES, Example
 from ui.dialogs.job_page import JobPage
 from ui.files.actions import FileActions, RecentFiles
 from ui.files.dialogs import FileDialogs
-from ui.panels.images import image_files
 from ui.widgets import theme
 from ui.widgets.controls import STRETCH, filled, scrolled
 from ui.widgets.labels import WrappedLabel, text_label
@@ -142,7 +141,7 @@ class StartPage(QStackedWidget):
             self.begun.emit()
 
     def _choose_picture(self) -> None:
-        path = self._dialogs.to_open("image", tr("Picture"), image_files())
+        path = self._dialogs.picture(tr("Picture"))
         if path is not None:
             self.use_picture(path)
 

@@ -45,6 +45,12 @@ class FileDialogs(QObject):
         chosen, _ = QFileDialog.getOpenFileName(self.window, title, begin, filters)
         return self._note(kind, Path(chosen)) if chosen else None
 
+    def picture(self, title: str) -> Path | None:
+        return self.to_open("image", title, image_files())
+
+    def light(self) -> Path | None:
+        return self.to_open("light", tr("File of light"), light_files())
+
     def to_open_several(self, kind: str, title: str, filters: str) -> list[Path]:
         begin = str(self._begin(kind))
         chosen, _ = QFileDialog.getOpenFileNames(self.window, title, begin, filters)
@@ -133,8 +139,7 @@ class ChosenFiles(QObject):
         self.use_picture: Callable[[Path], object] = forms.choose_image
         self.use_light: Callable[[Path], object] = forms.choose_light
         self.ask = True  # before a file that is opened is used in the design
-        forms.image_asked.connect(self._choose_image)
-        forms.light_asked.connect(self._choose_light)
+        forms.file_asked.connect(self._choose)
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {"paste_picture": self.paste}
@@ -175,12 +180,9 @@ class ChosenFiles(QObject):
         else:
             self.use_picture(path)
 
-    def _choose_image(self) -> None:
-        path = self._dialogs.to_open("image", tr("Target image"), image_files())
-        if path is not None:
-            self._forms.choose_image(path)
-
-    def _choose_light(self) -> None:
-        path = self._dialogs.to_open("light", tr("File of light"), light_files())
-        if path is not None:
-            self._forms.choose_light(path)
+    def _choose(self, where: str) -> None:
+        if where == "source":
+            if (path := self._dialogs.light()) is not None:
+                self._forms.choose_light(path)
+        elif (path := self._dialogs.picture(tr("Target image"))) is not None:
+            self._forms.choose_image(path, where)

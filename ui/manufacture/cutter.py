@@ -32,33 +32,27 @@ _ABOUT = later(
 )
 
 
-class AskOptions:
-    """Asks for the options of a format, starting from the last answers."""
-
-    def __init__(self, window: QWidget, settings: QSettings) -> None:
-        self._window, self._settings = window, settings
-
-    def __call__(self, session: Session, found: Format) -> Chosen | None:
-        """Return the options, and the planned cut of G-code; None if cancelled."""
-        if not found.options:
-            return Chosen()
-        unit = session.scene.unit
-        kept = [kept_options(self._settings, unit, group) for group in found.options]
-        dialog: CutterDialog | OptionDialog
-        if found is GCODE:
-            dialog = CutterDialog(
-                session, kept_options(self._settings, unit, Cutting), self._window
-            )
-        else:
-            dialog = OptionDialog(unit, kept, capitalised(found.name), self._window)
-        try:
-            if not dialog.exec():
-                return None
-            for options in dialog.options:
-                keep_options(self._settings, unit, options)
-            return Chosen(dialog.options, dialog.plan)
-        finally:
-            dialog.deleteLater()
+def ask_options(
+    window: QWidget, settings: QSettings, session: Session, found: Format
+) -> Chosen | None:
+    """Ask for the options of a format, starting from the last answers; None if cancelled."""
+    if not found.options:
+        return Chosen()
+    unit = session.scene.unit
+    dialog: CutterDialog | OptionDialog
+    if found is GCODE:
+        dialog = CutterDialog(session, kept_options(settings, unit, Cutting), window)
+    else:
+        kept = [kept_options(settings, unit, group) for group in found.options]
+        dialog = OptionDialog(unit, kept, capitalised(found.name), window)
+    try:
+        if not dialog.exec():
+            return None
+        for options in dialog.options:
+            keep_options(settings, unit, options)
+        return Chosen(dialog.options, dialog.plan)
+    finally:
+        dialog.deleteLater()
 
 
 class CutterDialog(WorkDialog):

@@ -31,8 +31,7 @@ class Forms(FormArea):
 
     message = Signal(str)
     file_refused = Signal(str)
-    image_asked = Signal()
-    light_asked = Signal()
+    file_asked = Signal(str)  # for the part at a path
     postponed = Signal(str)
     refusals_changed = Signal()
 
@@ -46,7 +45,6 @@ class Forms(FormArea):
         self._run_hint = ""
         self._later: list[Edit] = []  # made during a run
         self._next: Session | None = None  # with these
-        self._asking = self._target.path  # the target for which a file is asked
         for panel in self.panels:
             panel.edited.connect(self.edit)
             panel.reverted.connect(self._revert)
@@ -124,9 +122,9 @@ class Forms(FormArea):
             any_back = True
         return any_back
 
-    def choose_image(self, file: Path) -> None:
-        """Use an image file as the target; the current one is reloaded."""
-        where, scene = self._asking, self._session.scene
+    def choose_image(self, file: Path, where: str = "") -> None:
+        """Use an image file as a target, by default the first; the current one is reloaded."""
+        where, scene = where or self._target.path, self._session.scene
         if where == self._target.path and scene.image == str(file.absolute()):
             self._read_image_again()
         else:
@@ -183,10 +181,7 @@ class Forms(FormArea):
         self.edit(Edit(f"{path}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_file(self, path: str) -> None:
-        self._asking = path.rpartition(".")[0]
-        # Come back when it is chosen, or is not.
-        (self.light_asked if self._asking == "source" else self.image_asked).emit()
-        self._asking = self._target.path
+        self.file_asked.emit(path.rpartition(".")[0])
 
     def show_run(self, paused: bool = False) -> None:
         """Say that edits wait while a run is active."""

@@ -23,16 +23,14 @@ def with_run(
     return _with_kept(session, result, session.runs, _RUN, budget)
 
 
-def with_followed(
-    session: Session, result: Result, budget: int = _BUDGET
-) -> tuple[Session, list[KeptRun]]:
+def with_followed(session: Session, result: Result) -> tuple[Session, list[KeptRun]]:
     """The session with a lens of live update, which is kept like a run.
 
     It replaces an unfinished lens of live update without a name of its own. An unfinished lens
     never displaces other runs.
     """
     others = tuple(run for run in session.runs if not _is_passing(run))
-    kept, displaced = _with_kept(session, result, others, _FOLLOWED, budget)
+    kept, displaced = _with_kept(session, result, others, _FOLLOWED, _BUDGET)
     if displaced and result.ended == STOPPED:
         return replace(session, result=result, runs=others), []
     return kept, displaced

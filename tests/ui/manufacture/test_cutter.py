@@ -1,6 +1,7 @@
 """How a face is cut, asked in the window, with the verdict before anything is written."""
 
 import threading
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -8,7 +9,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QToolButton
 
 from tests.ui.hands import fill
-from ui.manufacture.cutter import AskOptions, CutterDialog
+from ui.manufacture.cutter import CutterDialog, ask_options
 from ui.manufacture.option_fields import OptionDialog, OptionFields, keep_options
 from workbench.files.export.formats import GCODE, format_of
 from workbench.files.export.options import PLAIN, Chosen, Cutting, Drawing
@@ -161,7 +162,7 @@ def test_a_simulation_shows_its_progress_and_ends_with_the_dialog(held, open_dia
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
     keep_options(settings, "cm", COARSE)
-    ask = AskOptions(window, settings)
+    ask = partial(ask_options, window, settings)
     answer(lambda dialog: (dialog.fields.enter(feed=700.0), answer(CutterDialog.accept, fits)))
     plan = ask(designed, GCODE).plan
     assert plan.cutting == Cutting(tool_radius=0.2, scallop=0.002, feed=700.0)
@@ -172,7 +173,7 @@ def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings
 
 
 def test_other_formats_ask_for_their_options_and_keep_them(designed, window, settings):
-    ask = AskOptions(window, settings)
+    ask = partial(ask_options, window, settings)
     assert ask(designed, format_of(Path("a.step"))) == Chosen()
 
     def fill_in(dialog):

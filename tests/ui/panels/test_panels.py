@@ -174,7 +174,7 @@ def test_a_custom_index_begins_with_that_of_the_material_in_the_light(forms, doc
 def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
     image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    forms.image_asked.connect(lambda: forms.choose_image(image))
+    forms.file_asked.connect(lambda where: forms.choose_image(image, where))
     choose(forms, "images[0].target.builtin", "image")
     assert document.session.scene.target.image == str(image)
     assert row(forms, "images[0].target.image").editor.text() == str(image)

@@ -28,10 +28,12 @@ def session():
 
 def test_a_file_of_light_is_chosen_from_a_dialog(forms, document, qtbot, tmp_path):
     lamp = Path(crooked_lamp(tmp_path)["file"])
-    forms.light_asked.connect(lambda: forms.choose_light(lamp))
+    asked = []
+    forms.file_asked.connect(lambda where: asked.append(where) or forms.choose_light(lamp))
 
     choose(forms, "source.kind", "photometric")
 
+    assert asked == ["source"]
     source = document.session.scene.source
     assert (source.kind, source.file, source.position) == ("photometric", str(lamp), (0, 0, -4))
     assert row(forms, "source.file").editor.text() == str(lamp)

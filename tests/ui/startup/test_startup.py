@@ -8,6 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from ui import windows
+from ui.background import Background
 from ui.unexpected_errors import UnexpectedErrors
 from workbench.analysis import kernels
 
@@ -86,12 +87,12 @@ def warmed_up(qtbot, monkeypatch):
         compiled, received = [], []
         monkeypatch.setattr(windows, "_SLOW", modules)
         monkeypatch.setattr(kernels, "compile_all", lambda goes_on: compiled.append(goes_on()))
-        warming = windows.WarmUp()
-        warming.imported.connect(lambda: received.append("imported"))
-        warming.failed.connect(received.append)
-        warming.start()
-        qtbot.waitUntil(lambda: not warming._background.running)
-        warming.wait()
+        loading = Background("start", None)
+        loading.progressed.connect(lambda *_: received.append("imported"))
+        loading.failed.connect(received.append)
+        loading.begin(windows.warm_up)
+        qtbot.waitUntil(lambda: not loading.running)
+        loading.close()
         return compiled, received
 
     return do
