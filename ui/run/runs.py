@@ -34,24 +34,20 @@ class Runs(QObject):
         self.table = table = RunTable(self._verified_error)
         self.check = RunCheck(document, control, self)
         self.check.checked.connect(self.note_check)
-        table.compared.connect(self._compare)
+        table.marks_changed.connect(self._plot_marked)
         table.renamed.connect(self._rename)
-        table.restored.connect(self._restore)
-        table.deleted.connect(self._delete)
-        table.pair_chosen.connect(self._show_pair)
+        table.restore_asked.connect(self.restore)
+        table.delete_asked.connect(self.delete)
+        table.compare_asked.connect(self.compare)
         document.session_changed.connect(self.show)
         control.runner.state_changed.connect(self._follow)
         self.show()
 
     def slots(self) -> dict[str, Callable[[], object]]:
         return {
-            "restore_run": lambda: self._with_choice(
-                self.table.restore, tr("Select a run in View > Runs first.")
-            ),
-            "delete_run": lambda: self._with_choice(
-                self.table.delete, tr("Select runs in View > Runs first.")
-            ),
-            "compare_runs": self._compare_chosen,
+            "restore_run": self.restore,
+            "delete_run": self.delete,
+            "compare_runs": self.compare,
         }
 
     def note_check(self, lens: CheckedLens, found: Validation) -> None:
@@ -76,24 +72,39 @@ class Runs(QObject):
         noted, run = self._document.verified.of_lens(result), self._current
         return noted or (None if run is None else self._document.verified.of(run))
 
-    def _compare_chosen(self) -> None:
-        if len(self.table.chosen) == 2:
-            self.table.compare()
-        else:
+    def compare(self) -> None:
+        """Show the two selected runs beside each other."""
+        runs = self.table.chosen
+        if len(runs) != 2:
             self.refused.emit(tr("Select two runs in View > Runs first (Ctrl+click)."))
-
-    def _show_pair(self, pair: tuple[KeptRun, KeptRun]) -> None:
+            return
         if self.comparison is None:
             self.comparison = RunComparison(self._verified_error, self.table.window())
-        self.comparison.show_pair(pair)
+        self.comparison.show_pair((runs[0], runs[1]))
         self.comparison.show()
         self.comparison.raise_()
 
-    def _with_choice(self, act: Callable[[], None], otherwise: str) -> None:
-        if self.table.chosen:
-            act()
-        else:
-            self.refused.emit(otherwise)
+    def restore(self) -> None:
+        """Return to task and lens of the selected run."""
+        runs, session = self.table.chosen, self._document.session
+        if not runs:
+            self.refused.emit(tr("Select a run in View > Runs first."))
+        elif len(runs) == 1:
+            text = tr("return to {name}").format(name=called(runs[0]))
+            self._document.change(restored(session, runs[0]), text)
+
+    def delete(self) -> None:
+        """Delete the selected runs."""
+        runs = self.table.chosen
+        if not runs:
+            self.refused.emit(tr("Select runs in View > Runs first."))
+            return
+        text = (
+            tr("delete {name}").format(name=called(runs[0]))
+            if len(runs) == 1
+            else tr("delete {count} runs").format(count=len(runs))
+        )
+        self._document.change(without(self._document.session, runs), text)
 
     def _verified_error(self, run: KeptRun) -> str:
         error = self._document.verified.of(run)
@@ -102,7 +113,7 @@ class Runs(QObject):
     def show(self) -> None:
         session = self._document.session
         self.table.show_runs(session.runs, self._current)
-        self._compare()
+        self._plot_marked()
 
     @property
     def _current(self) -> KeptRun | None:
@@ -114,9 +125,9 @@ class Runs(QObject):
 
     def _follow(self, state: str) -> None:
         self.table.allow(state == "idle")
-        self._compare()
+        self._plot_marked()
 
-    def _compare(self) -> None:
+    def _plot_marked(self) -> None:
         drawn = None if self._control.busy else self._current
         runs = [run for run in self.table.marked if run is not drawn]
         if runs != self._drawn:
@@ -134,19 +145,6 @@ class Runs(QObject):
                 )
             )
             self.show()
-
-    def _restore(self, run: KeptRun) -> None:
-        self._document.change(
-            restored(self._document.session, run), tr("return to {name}").format(name=called(run))
-        )
-
-    def _delete(self, runs: tuple[KeptRun, ...]) -> None:
-        text = (
-            tr("delete {name}").format(name=called(runs[0]))
-            if len(runs) == 1
-            else tr("delete {count} runs").format(count=len(runs))
-        )
-        self._document.change(without(self._document.session, runs), text)
 
 
 def _is_lens_of(run: KeptRun | Session, lens: CheckedLens) -> bool:

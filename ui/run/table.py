@@ -52,11 +52,11 @@ _VERIFIED = list(_COLUMNS).index("Verified")
 class RunTable(QWidget):
     """Table of the kept runs."""
 
-    compared = Signal()
+    marks_changed = Signal()
     renamed = Signal(object, str)  # KeptRun, str
-    restored = Signal(object)  # KeptRun
-    deleted = Signal(object)  # tuple of KeptRun
-    pair_chosen = Signal(object)  # tuple of KeptRun
+    restore_asked = Signal()
+    delete_asked = Signal()
+    compare_asked = Signal()
 
     def __init__(self, verified: Callable[[KeptRun], str]) -> None:
         super().__init__()
@@ -83,16 +83,15 @@ class RunTable(QWidget):
         self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
         self.table.itemChanged.connect(self._read_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
-        delete = self.table.add_action(tr("Delete"), QKeySequence.StandardKey.Delete)
-        delete.triggered.connect(self.delete)
+        self._by_key = self.table.add_action(tr("Delete"), QKeySequence.StandardKey.Delete)
+        self._by_key.triggered.connect(self.delete_asked)
+        tip = tr("Compare irradiance, figures and fields of two selected runs")
         self._restore, self._delete, self._compare = buttons = [
-            push_button(tr("Restore"), tr("Restore task and result of this run"), self.restore),
-            push_button(tr("Delete"), tr("Delete the selected runs"), self.delete),
             push_button(
-                tr("Compare"),
-                tr("Compare irradiance, figures and fields of two selected runs"),
-                self.compare,
+                tr("Restore"), tr("Restore task and result of this run"), self.restore_asked.emit
             ),
+            push_button(tr("Delete"), tr("Delete the selected runs"), self.delete_asked.emit),
+            push_button(tr("Compare"), tip, self.compare_asked.emit),
         ]
         self._editable = True
         below = filled(QHBoxLayout(), *buttons, STRETCH, margins=(6, 4, 6, 4), spacing=6)
@@ -141,18 +140,6 @@ class RunTable(QWidget):
         )
         self._show_possible()
 
-    def restore(self) -> None:
-        if self._editable and len(self.chosen) == 1:
-            self.restored.emit(self.chosen[0])
-
-    def delete(self) -> None:
-        if self._editable and self.chosen:
-            self.deleted.emit(self.chosen)
-
-    def compare(self) -> None:
-        if len(self.chosen) == 2:
-            self.pair_chosen.emit(self.chosen)
-
     def _fill(self, row: int, run: KeptRun, is_current: bool) -> None:
         name = QTableWidgetItem(self._picture(run), called(run))
         marked = id(run.result) in self._marked
@@ -184,14 +171,15 @@ class RunTable(QWidget):
         marked = item.checkState() is Qt.CheckState.Checked
         if marked != (result in self._marked):
             self._marked ^= {result}
-            self.compared.emit()
+            self.marks_changed.emit()
         elif item.text() != called(run):
             self.renamed.emit(run, item.text())
 
     def _show_possible(self) -> None:
         chosen = len(self.chosen)
         self._restore.setEnabled(self._editable and chosen == 1)
-        self._delete.setEnabled(self._editable and chosen > 0)
+        for delete in (self._delete, self._by_key):
+            delete.setEnabled(self._editable and chosen > 0)
         self._compare.setEnabled(chosen == 2)
 
 
