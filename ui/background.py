@@ -116,6 +116,8 @@ class Task:
             pass
         except Exception as error:  # of any kind: it has to reach the person
             self.error = error
+        finally:
+            del self._work  # which may hold this task
 
 
 Work = Callable[[Task], object]

@@ -12,7 +12,6 @@
    counts as stopped: continuing its design would replace it.
 """
 
-from collections.abc import Generator
 from dataclasses import dataclass, field, replace
 from functools import partial
 from time import monotonic
@@ -27,7 +26,7 @@ from ui.run.kept_runs import called, with_followed
 from ui.run.worker import RunJob, Seen, frame_of, work
 from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
-from workbench.design.snapshot import STOPPED, Result, Snapshot
+from workbench.design.snapshot import STOPPED, Result
 from workbench.files.session import Session
 from workbench.messages import Message
 
@@ -40,9 +39,7 @@ _SLOW = later("Updating the {optic}: slow task, edits are applied after a pause"
 
 
 @dataclass(eq=False)
-class _Design:
-    session: Session
-    job: RunJob
+class _Design(RunJob):
     own_step: bool = False
     own_edit: bool = False
     task: Task = field(init=False)  # once it is queued
@@ -66,7 +63,7 @@ class Follow(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._control = document, control
-        self._live = live or LiveDesign()
+        self._live = live or LiveDesign()  # its snapshots are for the thread alone
         self._on = False
         self._holders: set[str] = set()  # what it pauses for
         self.text = ""
@@ -82,7 +79,7 @@ class Follow(QObject):
         self._background.done.connect(lambda *_: self._end())
         self._background.failed.connect(self._fail)
         self._late = QTimer(self, singleShot=True, interval=_LATE_MS)
-        self._late.timeout.connect(lambda: self._show_text(self._named(_SLOW)))
+        self._late.timeout.connect(lambda: self._show_text(_SLOW))
         self._pause = 0.0  # seconds without an edit before its design begins
         self._waiting: _Design | None = None  # for such a pause
         self._rested = QTimer(self, singleShot=True)
@@ -109,9 +106,9 @@ class Follow(QObject):
 
     def hold(self, holder: str, held: bool) -> None:
         """Pause for a check or a page; edits meanwhile and a missing lens are designed after it."""
-        before = self._held
+        before = bool(self._holders)
         (self._holders.add if held else self._holders.discard)(holder)
-        if self._held == before:
+        if bool(self._holders) == before:
             return
         waiting = self._wanted
         if held:
@@ -122,10 +119,6 @@ class Follow(QObject):
                 self._wanted = waiting
         elif waiting is not None and not self._changes:
             self._begin(waiting)
-
-    @property
-    def _held(self) -> bool:
-        return bool(self._holders)
 
     def close(self) -> None:
         self._on = False
@@ -151,7 +144,7 @@ class Follow(QObject):
             self._begin(session, abandons=True)
 
     def _rest_after_change(self) -> None:
-        if self._changes and self._wanted is not None and not self._held:  # by somebody else
+        if self._changes and self._wanted is not None and not self._holders:  # by somebody else
             self.rest()
 
     def _begin_new(self, session: Session) -> None:
@@ -182,20 +175,24 @@ class Follow(QObject):
     ) -> None:
         """Design a lens once the current design has one; at once if that design is abandoned."""
         self._changes = 0
-        if self._held:
+        if self._holders:
             self._wanted, self._chain = session, None
             return
         self._chain = chain = chain or object()
         self._wanted, self._control.followed = session, True
-        job = RunJob(session, generate=lambda *_: self._snapshots(session, chain, before))
-        self._waiting = _Design(session, job, own_step, before is not None)
+        self._waiting = _Design(
+            session,
+            generate=lambda *_: self._live.snapshots(session, chain, before),
+            own_step=own_step,
+            own_edit=before is not None,
+        )
         if abandons:
             self._give_up()
         if before is None or not self._pause:
             self._queue()
         else:
             self._rested.start(round(1000 * self._pause))
-        self._show_text(self._named(_UNDER_WAY))
+        self._show_text(_UNDER_WAY)
 
     def _queue(self) -> None:
         self._rested.stop()
@@ -205,7 +202,7 @@ class Follow(QObject):
         self._next, self._waiting = self._waiting, None
         if self._next is None:
             return
-        self._next.task = self._background.begin(partial(work, self._next.job))
+        self._next.task = self._background.begin(partial(work, self._next))
         if self._design is None:
             self._take_next()
         elif self._design.has_lens:
@@ -221,12 +218,6 @@ class Follow(QObject):
         if not design.has_lens:  # its first result would have taken longer still
             self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
-    def _snapshots(
-        self, session: Session, chain: object, before: Session | None
-    ) -> Generator[Snapshot, None, str]:
-        """For the thread, which alone uses the earlier lenses."""
-        return (yield from self._live.snapshots(session, chain, before))
-
     def _take_next(self) -> None:
         self._design, self._next = self._next, None
         self._late.stop()
@@ -237,7 +228,7 @@ class Follow(QObject):
 
     def _show_seen(self, _: object, seen: Seen) -> None:
         design, (best, frame) = self._design, seen
-        if design is None or self._wanted is None or self._held or self._changes:
+        if design is None or self._wanted is None or self._holders or self._changes:
             return
         self._seen = frame
         self._control.show(frame)
@@ -267,12 +258,12 @@ class Follow(QObject):
             self._document.improve(session)
         for run in displaced:
             self._control.displaced.emit(called(run))
-        self._show_text(self._named(_UNDER_WAY))
+        self._show_text(_UNDER_WAY)
 
     def _end(self) -> None:
         design = self._design
         assert design is not None  # since its work has ended
-        best = design.job.history.result()
+        best = design.history.result()
         wanted = self._is_wanted(design)
         if wanted and best is not None and best.iterations:
             self._put(design, best)  # with why it ended
@@ -290,7 +281,7 @@ class Follow(QObject):
             self.failed.emit(sentence)
 
     def _is_wanted(self, design: _Design) -> bool:
-        elsewhere = self._changes or self._held or design.task.given_up
+        elsewhere = self._changes or self._holders or design.task.given_up
         return design.session is self._wanted and not elsewhere
 
     def _rest_for_run(self, state: str) -> None:
@@ -311,12 +302,9 @@ class Follow(QObject):
             self._control.preview()
             self._show_text("")
 
-    def _named(self, text: str) -> str:
-        return tr(text, optic=self._document.session.scene.optic.called)
-
     def _show_text(self, text: str) -> None:
-        self.text = text
-        self.message.emit(text)
+        self.text = tr(text, optic=self._document.session.scene.optic.called)
+        self.message.emit(self.text)
 
 
 def _pause_after(seconds: float) -> float:
