@@ -5,26 +5,11 @@ from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QMainWindow,
-    QMenu,
-    QMenuBar,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMenu, QMenuBar, QToolButton, QWidget
 
 from ui.commands.command_search import SEPARATOR
 from ui.commands.panes import PANES
-from ui.commands.table import (
-    CHOICES,
-    COMMANDS,
-    LOCKS,
-    TOOLS,
-    VIEWS,
-    WORKSPACE_CHOICES,
-    Command,
-)
+from ui.commands.table import CHOICES, COMMANDS, LOCKS, TOOLS, VIEWS, WORKSPACE_CHOICES, Command
 from ui.commands.toolbar import Toolbar
 from ui.widgets import theme
 from ui.words import tr

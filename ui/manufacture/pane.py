@@ -16,12 +16,7 @@ from ui.views.surface_view import FaceMapView
 from ui.views.view import ComputingView, Request
 from ui.widgets.controls import SideBySide, command_button
 from ui.words import later, tr
-from workbench.analysis.manufacture import (
-    Manufacture,
-    SurfaceMaps,
-    manufacturing,
-    surface_maps,
-)
+from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacturing, surface_maps
 from workbench.analysis.shop_limits import Limits
 from workbench.arrays import Array
 from workbench.files.session import Session
