@@ -37,6 +37,7 @@ from ui.window.pages import Pages
 from ui.window.window_state import WindowState
 from ui.window.workspaces import ViewState, Workspaces
 from ui.words import tr
+from workbench.files.session import Session
 
 if TYPE_CHECKING:
     from ui.dialogs.sweep import SweepDialog
@@ -87,7 +88,7 @@ class MainWindow(QMainWindow):
         self.exporter = Exporter(self._lens, dialogs)
         self.exporter.ask_options = partial(ask_options, self, settings)
         self.reporter = Reporter(self._lens, dialogs)
-        self.measured = Measured(self._lens, dialogs, settings)
+        self.measured = Measured(dialogs, settings)
         self.sweep: SweepDialog | None = None  # once it was asked for
         self.start_page = StartPage(self.files, recent, self._new, dialogs, settings)
         self._focus = PaneFocus(self.panes, self.commands.toolbar, self)
@@ -267,10 +268,10 @@ class MainWindow(QMainWindow):
                 "save": lambda: self._save(self.files.save),
                 "save_as": lambda: self._save(self.files.save_as),
                 "export": lambda: self._commit_and(self.exporter.choose_and_export),
-                "cut": lambda: self._commit_and(self.exporter.choose_and_cut),
-                "plan": lambda: self._commit_and(self._plan),
-                "photograph": lambda: self._commit_and(self.measured.choose_photograph),
-                "inspect": lambda: self._commit_and(self.measured.choose_surfaces),
+                "cut": lambda: self._with_lens(self.exporter.choose_and_cut),
+                "plan": lambda: self._with_lens(self._plan),
+                "photograph": lambda: self._with_lens(self.measured.choose_photograph),
+                "inspect": lambda: self._with_lens(self.measured.choose_surfaces),
                 "report": lambda: self._commit_and(self.reporter.choose_and_report),
                 "sweep": self._sweep,
                 "new_window": self.new_window_asked.emit,
@@ -338,11 +339,7 @@ class MainWindow(QMainWindow):
             self.early.shelf.follow(self.sweep)
         self.sweep.show_design()
 
-    def _plan(self) -> None:
-        session = self._lens.session
-        if session is None:
-            self.messages.note(tr(NO_LENS))
-            return
+    def _plan(self, session: Session) -> None:
         dialog = PlanDialog(session, self.forms.edit, self)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.open()
@@ -363,6 +360,14 @@ class MainWindow(QMainWindow):
     def _commit_and(self, take: Callable[[], None]) -> None:
         self.forms.commit()
         take()
+
+    def _with_lens(self, use: Callable[[Session], None]) -> None:
+        self.forms.commit()
+        session = self._lens.session
+        if session is None:
+            self.messages.note(tr(NO_LENS))
+        else:
+            use(session)
 
     def _show_title(self) -> None:
         name = self.document.name.replace("[*]", "[*][*]")  # Qt's mark for what is modified

@@ -13,7 +13,6 @@ from ui.document.document import ENDING
 from ui.files.dialogs import FileDialogs
 from ui.manufacture.option_fields import OptionDialog, keep_options, kept_options
 from ui.panels.images import image_files
-from ui.run.control import NO_LENS, CurrentLens
 from ui.words import later, tr
 from workbench.analysis.inspection.options import InspectionOptions
 from workbench.analysis.making.photograph_options import PhotographOptions
@@ -42,20 +41,16 @@ class Comparison(NamedTuple):
 class Measured(QObject):
     """Asks for photographs and measurements, compares them, and shows the results."""
 
-    def __init__(self, lens: CurrentLens, dialogs: FileDialogs, settings: QSettings) -> None:
+    def __init__(self, dialogs: FileDialogs, settings: QSettings) -> None:
         super().__init__(dialogs)
-        self._lens, self._messages, self._dialogs = lens, dialogs.messages, dialogs
-        self._settings = settings
+        self._messages, self._dialogs, self._settings = dialogs.messages, dialogs, settings
         self.background = Background(later("comparison"), self, finish_first=True)
         self.background.done.connect(self._show)
         self.background.failed.connect(self._messages.warn)
 
-    def choose_photograph(self) -> None:
+    def choose_photograph(self, session: "Session") -> None:
         """Ask for a photograph and the corners of the receiver in it, and compare."""
-        session, title = self._lens.session, tr("Compare a photograph")
-        if session is None:
-            self._messages.note(tr(NO_LENS))
-            return
+        title = tr("Compare a photograph")
         path = self._dialogs.to_open("photograph", title, image_files())
         if path is not None:
             self.compare(session, path)
@@ -77,12 +72,9 @@ class Measured(QObject):
             self._begin(work, session, path)
         dialog.deleteLater()
 
-    def choose_surfaces(self) -> None:
+    def choose_surfaces(self, session: "Session") -> None:
         """Ask for measurements of parts and their units, and compare them."""
-        session, title = self._lens.session, tr("Read measured surfaces")
-        if session is None:
-            self._messages.note(tr(NO_LENS))
-            return
+        title = tr("Read measured surfaces")
         endings = " ".join(f"*{ending}" for ending in ENDINGS)
         filters = tr("Measured surfaces ({endings});;All files (*)").format(endings=endings)
         paths = self._dialogs.to_open_several("surface", title, filters)

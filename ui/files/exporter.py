@@ -71,12 +71,8 @@ class Exporter(LensWriter):
             in_scene_unit = self._dialogs.chosen in self._filters(SCENE_UNIT)
             self.export(path, mesh_unit=SCENE_UNIT if in_scene_unit else MILLIMETRES)
 
-    def choose_and_cut(self) -> None:
+    def choose_and_cut(self, session: Session) -> None:
         """Ask how the face is cut, then for the file, and write it."""
-        session = self._lens.session
-        if session is None:
-            self._messages.note(tr(NO_LENS))
-            return
         elements = self.ask_for_elements(session.scene, several=False)
         chosen = self._options_of(session, elements, GCODE)
         if chosen is not None:

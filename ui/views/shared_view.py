@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -74,9 +73,6 @@ class SharedView(QObject):
 
     def slot(self, name: str) -> Callable[[Any], None]:
         return lambda value: self.show(**{name: value})
-
-    def with_value(self, name: str, value: object) -> Callable[[], None]:
-        return partial(self.show, **{name: value})
 
     def draw_line(self, on: bool) -> None:
         if on:

@@ -73,7 +73,7 @@ class Views(QObject):
 
     def choices(self) -> dict[str, Callable[[], object]]:
         return {
-            command: self.shared.with_value(option, value)
+            command: partial(self.shared.show, **{option: value})
             for option, commands in CHOICES.items()
             for command, value in commands.items()
         }

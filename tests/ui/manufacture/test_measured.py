@@ -35,7 +35,7 @@ def desk(designed, window, tmp_path):
 @pytest.fixture
 def comparer(desk, settings, monkeypatch):
     monkeypatch.setattr(QDialog, "exec", lambda _: True)
-    found = measured.Measured(desk, desk, settings)
+    found = measured.Measured(desk, settings)
     yield found
     found.background.close()
 
