@@ -1,5 +1,6 @@
 """Messages about edits: refused and postponed fields, the lens kept, target image, unit."""
 
+from abc import abstractmethod
 from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
@@ -49,13 +50,18 @@ RUN_FIRST = later("Not possible during a run. Stop it first")
 
 
 class Notice(QObject):
-    """A message about the design, withdrawn as soon as the document has another session."""
+    """A message about an edit, withdrawn as soon as the document has another session."""
 
     def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._messages, self._text = document, messages, ""
         self._about: Session | None = None  # the session during which the message stays
         document.session_changed.connect(self._withdraw_for)
+        document.edited.connect(self._report)
+
+    @abstractmethod
+    def _report(self, before: Session, after: Session) -> None:
+        """Report what an edit did, if a person has to know."""
 
     def _note(self, text: str, *offers: Offer) -> None:
         self._text = text
@@ -141,7 +147,6 @@ class CarriedLens(Notice):
         # Where the last change of a net began: another change right after it replaces it.
         self._before: Session | None = None
         self._noted: tuple[Session, str] | None = None  # once for all edits of one step
-        document.edited.connect(self._report)
 
     def _report(self, before: Session, after: Session) -> None:
         if before is self._about and self._before is not None:
@@ -243,10 +248,6 @@ def _size(shape: tuple[int, int]) -> str:
 class TargetImage(Notice):
     """Reports that the target's image is not stored, or has changed on disk."""
 
-    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
-        super().__init__(document, messages, parent)
-        document.edited.connect(self._report_edit)
-
     def report(self) -> None:
         session = self._document.session
         if self._document.path is None:  # drawn from its file a moment ago
@@ -254,7 +255,7 @@ class TargetImage(Notice):
             self._report_remarks(session)
         self._report_if_changed(session)
 
-    def _report_edit(self, before: Session, after: Session) -> None:
+    def _report(self, before: Session, after: Session) -> None:
         if after.target is before.target:
             return
         if after.scene.image != before.scene.image:
@@ -287,10 +288,6 @@ class TargetImage(Notice):
 
 class UnitChange(Notice):
     """Reports that a change of unit converted all lengths, and offers to keep the numbers."""
-
-    def __init__(self, document: Document, messages: Messages, parent: QObject) -> None:
-        super().__init__(document, messages, parent)
-        document.edited.connect(self._report)
 
     def _report(self, before: Session, after: Session) -> None:
         old, new = before.scene.unit, after.scene.unit
