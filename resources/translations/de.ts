@@ -1325,13 +1325,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>Search the manual</source>
-            <translation>Im Handbuch suchen</translation>
+            <source>Find pages with all words; Return shows the next match</source>
+            <translation>Seiten mit allen Wörtern finden; Eingabe zeigt den nächsten Treffer</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>Find pages with all words; Return shows the next match</source>
-            <translation>Seiten mit allen Wörtern finden; Eingabe zeigt den nächsten Treffer</translation>
+            <source>Search the manual</source>
+            <translation>Im Handbuch suchen</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
@@ -1377,11 +1377,6 @@
             <location filename="../../ui/dialogs/job_page.py" />
             <source>Cannot begin: {reason}</source>
             <translation>Beginn nicht möglich: {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/job_page.py" />
-            <source>File of light</source>
-            <translation>Lichtdatei</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
@@ -1832,6 +1827,11 @@
             <location filename="../../ui/files/actions.py" />
             <source>Saved {name}, {size}{words}</source>
             <translation>{name} gespeichert, {size}{words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/dialogs.py" />
+            <source>File of light</source>
+            <translation>Lichtdatei</translation>
         </message>
         <message>
             <location filename="../../ui/files/dialogs.py" />
@@ -2910,13 +2910,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Crop and tone…</source>
-            <translation>Zuschnitt und Tonwerte…</translation>
+            <source>Choose the part of the picture that is used, and its levels</source>
+            <translation>Den Teil des Bildes wählen, der verwendet wird, und seine Tonwerte</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Choose the part of the picture that is used, and its levels</source>
-            <translation>Den Teil des Bildes wählen, der verwendet wird, und seine Tonwerte</translation>
+            <source>Crop and tone…</source>
+            <translation>Zuschnitt und Tonwerte…</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3535,23 +3535,23 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Rays of a check</source>
-            <translation>Strahlen einer Prüfung</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
             <source>Rays of a check; four times as many halve the noise</source>
             <translation>Strahlen einer Prüfung; viermal so viele halbieren das Rauschen</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>{rays} million rays</source>
-            <translation>{rays} Mio. Strahlen</translation>
+            <source>Rays of a check</source>
+            <translation>Strahlen einer Prüfung</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Copy all figures to the clipboard, tab-separated</source>
             <translation>Alle Kennzahlen in die Zwischenablage kopieren, durch Tabulator getrennt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} Mio. Strahlen</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3790,33 +3790,23 @@
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Select a run in View &gt; Runs first.</source>
-            <translation>Zuerst in Ansicht &gt; Läufe einen Lauf wählen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
-            <source>Select runs in View &gt; Runs first.</source>
-            <translation>Zuerst in Ansicht &gt; Läufe Läufe wählen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
             <source>Select two runs in View &gt; Runs first (Ctrl+click).</source>
             <translation>Zuerst zwei Läufe in Ansicht &gt; Läufe wählen (Strg+Klick).</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>rename run</source>
-            <translation>Lauf umbenennen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
-            <source>The run was not renamed; it is still {name}: {reason}</source>
-            <translation>Der Lauf heißt weiterhin {name}: {reason}</translation>
+            <source>Select a run in View &gt; Runs first.</source>
+            <translation>Zuerst in Ansicht &gt; Läufe einen Lauf wählen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>return to {name}</source>
             <translation>zurück zu {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Select runs in View &gt; Runs first.</source>
+            <translation>Zuerst in Ansicht &gt; Läufe Läufe wählen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -3827,6 +3817,16 @@
             <location filename="../../ui/run/runs.py" />
             <source>delete {count} runs</source>
             <translation>{count} Läufe löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>rename run</source>
+            <translation>Lauf umbenennen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>The run was not renamed; it is still {name}: {reason}</source>
+            <translation>Der Lauf heißt weiterhin {name}: {reason}</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -3970,6 +3970,11 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
+            <source>Compare irradiance, figures and fields of two selected runs</source>
+            <translation>Bestrahlungsstärke, Kennzahlen und Felder zweier gewählter Läufe vergleichen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
             <source>Restore</source>
             <translation>Wiederherstellen</translation>
         </message>
@@ -3987,11 +3992,6 @@
             <location filename="../../ui/run/table.py" />
             <source>Compare</source>
             <translation>Vergleichen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/table.py" />
-            <source>Compare irradiance, figures and fields of two selected runs</source>
-            <translation>Bestrahlungsstärke, Kennzahlen und Felder zweier gewählter Läufe vergleichen</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4030,13 +4030,13 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Number of the control point along {axis}, counted from 0</source>
-            <translation>Nummer des Kontrollpunkts entlang {axis}, ab 0 gezählt</translation>
+            <source>Control point along {axis}</source>
+            <translation>Kontrollpunkt entlang {axis}</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Control point along {axis}</source>
-            <translation>Kontrollpunkt entlang {axis}</translation>
+            <source>Number of the control point along {axis}, counted from 0</source>
+            <translation>Nummer des Kontrollpunkts entlang {axis}, ab 0 gezählt</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4065,23 +4065,23 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Distance of the screen</source>
-            <translation>Abstand des Schirms</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
             <source>Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is unchanged</source>
             <translation>Bestrahlungsstärke beim 0,5- bis 1,5-Fachen des Schirmabstands zeigen; die Szene bleibt unverändert</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>At screen</source>
-            <translation>Am Schirm</translation>
+            <source>Distance of the screen</source>
+            <translation>Abstand des Schirms</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>Return to the distance of the screen</source>
             <translation>Zum Abstand des Schirms zurückkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>At screen</source>
+            <translation>Am Schirm</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4235,13 +4235,13 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
-            <source>Continue from here</source>
-            <translation>Von hier fortsetzen</translation>
+            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
+            <translation>Entwurf dieser Iteration wiederherstellen und von ihm fortsetzen; Rückgängig stellt den späteren wieder her</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
-            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
-            <translation>Entwurf dieser Iteration wiederherstellen und von ihm fortsetzen; Rückgängig stellt den späteren wieder her</translation>
+            <source>Continue from here</source>
+            <translation>Von hier fortsetzen</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4280,11 +4280,6 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Light of the photo</source>
-            <translation>Licht des Fotos</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/photo_view.py" />
             <source>Light of the photo: that of the source (daylight for collimated light, a laser for a Gaussian beam, otherwise an LED), or another one</source>
             <translation>Licht des Fotos: das der Quelle (Tageslicht bei kollimiertem Licht, Laser bei Gauß-Strahl, sonst LED) oder ein anderes</translation>
         </message>
@@ -4295,13 +4290,18 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Exposure</source>
-            <translation>Belichtung</translation>
+            <source>Light of the photo</source>
+            <translation>Licht des Fotos</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
             <source>Exposure in stops; each stop doubles the brightness</source>
             <translation>Belichtung in Blendenstufen; jede Stufe verdoppelt die Helligkeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure</source>
+            <translation>Belichtung</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />

@@ -1325,13 +1325,13 @@
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>Search the manual</source>
-            <translation>Rechercher dans le manuel</translation>
+            <source>Find pages with all words; Return shows the next match</source>
+            <translation>Trouver les pages contenant tous les mots ; Entrée montre l'occurrence suivante</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
-            <source>Find pages with all words; Return shows the next match</source>
-            <translation>Trouver les pages contenant tous les mots ; Entrée montre l'occurrence suivante</translation>
+            <source>Search the manual</source>
+            <translation>Rechercher dans le manuel</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/help.py" />
@@ -1377,11 +1377,6 @@
             <location filename="../../ui/dialogs/job_page.py" />
             <source>Cannot begin: {reason}</source>
             <translation>Impossible de commencer : {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/dialogs/job_page.py" />
-            <source>File of light</source>
-            <translation>Fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/dialogs/job_page.py" />
@@ -1832,6 +1827,11 @@
             <location filename="../../ui/files/actions.py" />
             <source>Saved {name}, {size}{words}</source>
             <translation>{name} enregistré, {size}{words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/dialogs.py" />
+            <source>File of light</source>
+            <translation>Fichier de lumière</translation>
         </message>
         <message>
             <location filename="../../ui/files/dialogs.py" />
@@ -2910,13 +2910,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Crop and tone…</source>
-            <translation>Recadrage et tons…</translation>
+            <source>Choose the part of the picture that is used, and its levels</source>
+            <translation>Choisir la partie de l'image qui est utilisée, et ses niveaux</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
-            <source>Choose the part of the picture that is used, and its levels</source>
-            <translation>Choisir la partie de l'image qui est utilisée, et ses niveaux</translation>
+            <source>Crop and tone…</source>
+            <translation>Recadrage et tons…</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3535,23 +3535,23 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Rays of a check</source>
-            <translation>Rayons d'une vérification</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
             <source>Rays of a check; four times as many halve the noise</source>
             <translation>Rayons d'une vérification ; quatre fois plus divisent le bruit par deux</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>{rays} million rays</source>
-            <translation>{rays} millions de rayons</translation>
+            <source>Rays of a check</source>
+            <translation>Rayons d'une vérification</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
             <source>Copy all figures to the clipboard, tab-separated</source>
             <translation>Copier tous les chiffres dans le presse-papiers, séparés par des tabulations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/check_figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} millions de rayons</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3790,33 +3790,23 @@
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>Select a run in View &gt; Runs first.</source>
-            <translation>Choisir d'abord une exécution dans Affichage &gt; Exécutions.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
-            <source>Select runs in View &gt; Runs first.</source>
-            <translation>Choisir d'abord des exécutions dans Affichage &gt; Exécutions.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
             <source>Select two runs in View &gt; Runs first (Ctrl+click).</source>
             <translation>Choisissez d'abord deux exécutions dans Affichage &gt; Exécutions (Ctrl+clic).</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
-            <source>rename run</source>
-            <translation>renommer l'exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/runs.py" />
-            <source>The run was not renamed; it is still {name}: {reason}</source>
-            <translation>L'exécution s'appelle toujours {name} : {reason}</translation>
+            <source>Select a run in View &gt; Runs first.</source>
+            <translation>Choisir d'abord une exécution dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
             <source>return to {name}</source>
             <translation>retour à {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Select runs in View &gt; Runs first.</source>
+            <translation>Choisir d'abord des exécutions dans Affichage &gt; Exécutions.</translation>
         </message>
         <message>
             <location filename="../../ui/run/runs.py" />
@@ -3827,6 +3817,16 @@
             <location filename="../../ui/run/runs.py" />
             <source>delete {count} runs</source>
             <translation>suppression de {count} exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>rename run</source>
+            <translation>renommer l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>The run was not renamed; it is still {name}: {reason}</source>
+            <translation>L'exécution s'appelle toujours {name} : {reason}</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -3970,6 +3970,11 @@
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
+            <source>Compare irradiance, figures and fields of two selected runs</source>
+            <translation>Comparer éclairement, chiffres et champs de deux exécutions choisies</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
             <source>Restore</source>
             <translation>Restaurer</translation>
         </message>
@@ -3987,11 +3992,6 @@
             <location filename="../../ui/run/table.py" />
             <source>Compare</source>
             <translation>Comparer</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/table.py" />
-            <source>Compare irradiance, figures and fields of two selected runs</source>
-            <translation>Comparer éclairement, chiffres et champs de deux exécutions choisies</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -4030,13 +4030,13 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Number of the control point along {axis}, counted from 0</source>
-            <translation>Numéro du point de contrôle selon {axis}, compté à partir de 0</translation>
+            <source>Control point along {axis}</source>
+            <translation>Point de contrôle selon {axis}</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Control point along {axis}</source>
-            <translation>Point de contrôle selon {axis}</translation>
+            <source>Number of the control point along {axis}, counted from 0</source>
+            <translation>Numéro du point de contrôle selon {axis}, compté à partir de 0</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
@@ -4065,23 +4065,23 @@
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>Distance of the screen</source>
-            <translation>Distance de l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/focus_view.py" />
             <source>Show the irradiance at 0.5 to 1.5 times the distance of the screen; the scene is unchanged</source>
             <translation>Montrer l'éclairement à 0,5 à 1,5 fois la distance de l'écran ; la scène est inchangée</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
-            <source>At screen</source>
-            <translation>À l'écran</translation>
+            <source>Distance of the screen</source>
+            <translation>Distance de l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
             <source>Return to the distance of the screen</source>
             <translation>Revenir à la distance de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>At screen</source>
+            <translation>À l'écran</translation>
         </message>
         <message>
             <location filename="../../ui/views/focus_view.py" />
@@ -4235,13 +4235,13 @@
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
-            <source>Continue from here</source>
-            <translation>Continuer d'ici</translation>
+            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
+            <translation>Rétablir la conception de cette itération et continuer ; Annuler rétablit la suivante</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
-            <source>Restore the design of this iteration and continue from it; Undo restores the later one</source>
-            <translation>Rétablir la conception de cette itération et continuer ; Annuler rétablit la suivante</translation>
+            <source>Continue from here</source>
+            <translation>Continuer d'ici</translation>
         </message>
         <message>
             <location filename="../../ui/views/loss_strip.py" />
@@ -4280,11 +4280,6 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Light of the photo</source>
-            <translation>Lumière de la photo</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/photo_view.py" />
             <source>Light of the photo: that of the source (daylight for collimated light, a laser for a Gaussian beam, otherwise an LED), or another one</source>
             <translation>Lumière de la photo : celle de la source (lumière du jour si collimatée, laser si faisceau gaussien, sinon LED), ou une autre</translation>
         </message>
@@ -4295,13 +4290,18 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>Exposure</source>
-            <translation>Exposition</translation>
+            <source>Light of the photo</source>
+            <translation>Lumière de la photo</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
             <source>Exposure in stops; each stop doubles the brightness</source>
             <translation>Exposition en diaphragmes ; chacun double la luminosité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure</source>
+            <translation>Exposition</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
