@@ -38,7 +38,7 @@ End = TypeVar("End")
 
 
 class Task:
-    """Requested work; its thread and whoever began it hold, stop and report by this.
+    """Requested work: its thread reports by it, and whoever began it can hold and stop it.
 
     What `ui.widgets.shelf` shows: ``title``, ``part`` of the work that is done (0 to 1, if known),
     and at the end ``outcome``, a sentence, with ``path``, the written file or folder.

@@ -1,6 +1,6 @@
 """The image panel: one view of light or surface at a time, or two with a handle between them."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import pairwise
 
@@ -42,8 +42,7 @@ class ImagePanel(QFrame):
         super().__init__()
         self.setObjectName("centre")  # for the style sheet
         self._views = _Swipe(self)  # first: the keyboard comes to them before the buttons
-        one_of = QActionGroup(self)
-        self._modes = {name: self._mode(name, one_of) for name, pane in PANES.items() if pane.image}
+        self._modes = self._one_of_views(self.choose)
         self._bar = _Modes(list(self._modes.values()))
         self._compare = QToolButton(self)
         self._compare.setToolTip(
@@ -52,14 +51,9 @@ class ImagePanel(QFrame):
         self._compare.setCheckable(True)
         self._compare.setAutoRaise(True)
         self._compare.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-        menu, one_of = QMenu(self), QActionGroup(self)
-        self._seconds = {
-            name: menu.addAction(mode.text(), partial(self.compare_with, name))
-            for name, mode in self._modes.items()
-        }
-        for action in self._seconds.values():
-            action.setCheckable(True)
-            one_of.addAction(action)
+        self._seconds = self._one_of_views(self.compare_with)
+        menu = QMenu(self)
+        menu.addActions(list(self._seconds.values()))
         self._compare.setMenu(menu)
         self._compare.toggled.connect(self._show)
         name_extension(self._bar, tr("More images"))
@@ -133,12 +127,14 @@ class ImagePanel(QFrame):
             actions[name].setText(title)
         self._show()
 
-    def _mode(self, name: str, one_of: QActionGroup) -> QAction:
-        action = QAction(tr(PANES[name].title), self)
-        action.setCheckable(True)
-        action.triggered.connect(partial(self.choose, name))
-        one_of.addAction(action)
-        return action
+    def _one_of_views(self, choose: Callable[[str], None]) -> dict[str, QAction]:
+        """Actions by the names of the views, of which one is checked."""
+        group = QActionGroup(self)
+        actions = {n: group.addAction(tr(pane.title)) for n, pane in PANES.items() if pane.image}
+        for name, action in actions.items():
+            action.setCheckable(True)
+            action.triggered.connect(partial(choose, name))
+        return actions
 
     def _show(self) -> None:
         if self._second == self.name:
