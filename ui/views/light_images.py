@@ -111,6 +111,9 @@ class ScreenImageView(ImageView):
         ]
         self._regions = RegionMarks(axes, session.scene)
 
+    def _shown_array(self, frame: Frame) -> Array:
+        return frame.state.irradiance
+
     def _adapt(self) -> None:
         now, (upright, level, line, draft) = self._shared.now, self._marks
         self._line_tool.setChecked(now.drawing)
@@ -216,9 +219,6 @@ class IrradianceView(LightImageView):
         self._pin.setChecked(self._shared.now.reference is not None)
         super()._adapt()
 
-    def _shown_array(self, frame: Frame) -> Array:
-        return frame.state.irradiance
-
     def _change(self, frame: Frame) -> None:
         assert self._regions is not None  # since there is a picture
         self._regions.show_light(frame.state.irradiance)
@@ -299,6 +299,3 @@ class ErrorView(ScreenImageView):
 
     def _new_image(self, axes: Axes, session: Session) -> ErrorImage:
         return ErrorImage(axes, session.scene, session.target)
-
-    def _shown_array(self, frame: Frame) -> Array:
-        return frame.state.irradiance

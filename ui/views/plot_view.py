@@ -219,11 +219,6 @@ class PlotView(View):
         self._anew = True
         self._ask()
 
-    def _add_in_corner(self, widget: QWidget) -> None:
-        self._over.addWidget(
-            widget, 0, 0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
-        )
-
     def _explain(self, why_empty: str) -> None:
         (axes,) = self._canvas.figure.axes
         self._hint.setText(why_empty)

@@ -49,7 +49,8 @@ class SectionView(PlotView):
         self._direction = named(Chooser(titles), tr("Along"))
         self._direction.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._direction.activated.connect(self._turn)
-        self._add_in_corner(self._direction)
+        corner = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
+        self._over.addWidget(self._direction, 0, 0, corner)
         self._shared.pinned.connect(self._pin)
         self._shared.changed.connect(self._follow)
         self._shared.drawn.connect(self._show_line)
