@@ -66,10 +66,6 @@ class DerivativeView(ImageView, ComputingView):
         self._offer()
         super().show_frame(frame)
 
-    def show_nothing(self, session: Session) -> None:
-        super().show_nothing(session)
-        self._state("")
-
     def _turn(self) -> None:
         self._offer()
         self._want()

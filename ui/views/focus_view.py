@@ -183,7 +183,6 @@ class FocusView(LightImageView, ComputingView):
     def show_nothing(self, session: Session) -> None:
         super().show_nothing(session)
         self._curve.show_nothing(session)
-        self._state("")
 
     def allow(self, resting: bool) -> None:
         super().allow(resting)

@@ -67,7 +67,7 @@ class ImageView(PlotView):
     def show_nothing(self, session: Session) -> None:
         self._values = None
         super().show_nothing(session)
-        self._read()
+        self._state("")
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Leave:
