@@ -8,8 +8,9 @@
 3. An edit changes the document once. After more changes (undo, opening a file) the lens before is
    no start.
 4. An edit that does not change the lens, such as a region, continues the design from its best lens.
-5. Runs and checks have priority. Edits during a check are designed after it. The checked lens
-   counts as stopped: continuing its design would replace it.
+5. Runs, and checks that a person asks for, have priority. Edits during such a check are designed
+   after it. The checked lens counts as stopped: continuing its design would replace it. The check
+   of a finished lens (`RunCheck`) gives way to the next edit.
 """
 
 from dataclasses import dataclass, field, replace
