@@ -132,6 +132,7 @@ class LoadedParts(QObject):
         check.checked.connect(figures.show_check)
         check.checked.connect(self.runs.note_check)
         self.runs.check.ended.connect(check.take)
+        check.asked.connect(self.runs.check.background.cancel)  # it would find the same
         self.runs.check.background.changed.connect(
             lambda task: figures.await_figures(not task.ended)
         )

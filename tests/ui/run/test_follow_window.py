@@ -127,6 +127,17 @@ def test_a_followed_lens_is_checked_until_the_next_edit(following, qtbot):
     assert document.verified.of_lens(first) is None
 
 
+def test_a_check_that_is_asked_for_takes_the_place_of_that_of_a_followed_lens(following, qtbot):
+    with settled(following, qtbot):
+        fill(qtbot, editor(following.forms, "images[0].receiver.position[2]"), "6")
+    own, asked = following.loaded.runs.check.background, following.loaded.check
+    assert own.busy
+    with qtbot.waitSignal(asked.checked, timeout=60_000):
+        following.commands["check"].trigger()
+        assert asked.background.busy and not own.busy
+        assert said(following, "Checking…")
+
+
 def test_a_followed_lens_is_not_checked_where_a_person_wants_no_checks(following, settings, qtbot):
     settings.setValue(CHECK.key, "none")
     with settled(following, qtbot):
