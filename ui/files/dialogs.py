@@ -69,6 +69,7 @@ class FileDialogs(QObject):
         suggest(dialog.selectedNameFilter())
         dialog.selectFile(name)
         accepted = dialog.exec()
+        dialog.deleteLater()  # else it lives as long as the window
         self.chosen = dialog.selectedNameFilter()
         return self._note(kind, Path(dialog.selectedFiles()[0])) if accepted else None
 
