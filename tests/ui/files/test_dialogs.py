@@ -69,3 +69,15 @@ def test_a_folder_is_remembered_for_the_next_window(make, document, session, ask
     pictures.rmdir()
     make(other).to_open("image", "Open", "")
     assert begun[3] == begun[2]  # a folder that is gone is none to begin in
+
+
+def test_a_dialog_that_is_answered_leaves_nothing_behind(
+    make, document, window_of_dialogs, monkeypatch, qtbot
+):
+    monkeypatch.setattr(QFileDialog, "exec", lambda dialog: False)
+    dialogs = make(document)
+    for _ in range(3):
+        assert (
+            dialogs.to_save("design", "Save", "mine", {"Design (*.freeform)": ".freeform"}) is None
+        )
+    qtbot.waitUntil(lambda: not window_of_dialogs.findChildren(QFileDialog))
