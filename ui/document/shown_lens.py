@@ -86,6 +86,7 @@ class FrameHistory(QObject):
 
     def show(self, session: Session) -> None:
         """Show the history of a session's result; empty if there is none."""
+        self._kept = [kept for kept in self._kept if kept.losses() is not None]
         kept = None if session.result is None else self._of(session.result)
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
         if frames and not same_task(frames[0].session, session):
@@ -105,7 +106,6 @@ class FrameHistory(QObject):
         self._save_memory()
 
     def _save_memory(self) -> None:
-        self._kept = [kept for kept in self._kept if kept.losses() is not None]
         sizes: dict[int, int] = {}  # courses share frames
         for kept in reversed(self._kept):
             sizes |= {id(frame): _size(frame) for frame in kept.frames}

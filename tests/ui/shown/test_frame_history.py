@@ -1,5 +1,6 @@
 """Each result has a course of its own, which comes and goes with it."""
 
+import weakref
 from types import SimpleNamespace
 
 import numpy as np
@@ -66,3 +67,14 @@ def test_moments_and_checks_follow_the_result(task, run):
     assert shown(history) == [] and history.checks == ()
     history.show(second)
     assert shown(history) == [0, 1, 2]
+
+
+def test_frames_of_a_result_that_is_gone_are_freed_with_the_next_design(task, run):
+    history = FrameHistory()
+    session = run(history, 3)
+    last = weakref.ref(history.frames[-1])
+    history.show(task)
+    assert last() is not None  # undo may bring it back
+    del session
+    history.show(task)
+    assert last() is None
