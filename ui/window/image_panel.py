@@ -1,18 +1,18 @@
 """The image panel: one view of light or surface at a time, or two with a handle between them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
-from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeyEvent, QMouseEvent, QRegion, QResizeEvent
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QMenu,
+    QStyle,
     QToolBar,
     QToolButton,
     QVBoxLayout,
@@ -159,20 +159,45 @@ class _Modes(QToolBar):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if self.actions() != self._modes:
-            self.addActions(self._modes)  # in their order again
-        self.keep_in_sight()
+        self._arrange()
 
     def keep_in_sight(self) -> None:
-        """Move the chosen button before those that there is no space for."""
-        chosen = next((each for each in self._modes if each.isChecked()), None)
-        seen = [each for each in self._modes if self._is_seen(each)]
-        while seen and chosen is not None and not self._is_seen(chosen):
-            self.insertAction(seen.pop(), chosen)
+        """Show the button of the chosen view; buttons stay where they are if it is there."""
+        if any(each.isChecked() and self.widgetForAction(each).isHidden() for each in self._modes):
+            self._arrange()
 
-    def _is_seen(self, mode: QAction) -> bool:
-        QApplication.sendPostedEvents(self, QEvent.Type.LayoutRequest)
-        return not self.widgetForAction(mode).isHidden()
+    def _arrange(self) -> None:
+        order = self._order()
+        if self.actions() != order:
+            self.addActions(order)  # moves those that are there
+
+    def _order(self) -> list[QAction]:
+        """All in their order, but the chosen one before those that there is no space for.
+
+        By widths alone: to lay the bar out within its own resizing would not end.
+        """
+        offered = [each for each in self._modes if each.isVisible()]
+        chosen = [each for each in offered if each.isChecked()]
+        rest = [each for each in offered if each not in chosen]
+        if self._needed(offered) <= self.width():
+            return self._modes
+        metrics = QStyle.PixelMetric
+        space = self.width() - self.style().pixelMetric(metrics.PM_ToolBarExtensionExtent)
+        first = [each for n, each in enumerate(offered) if self._needed(offered[: n + 1]) <= space]
+        if not chosen or chosen[0] in first:
+            return self._modes
+        before = [
+            each for n, each in enumerate(rest) if self._needed([*rest[: n + 1], *chosen]) <= space
+        ]
+        return [*before, *chosen, *(each for each in self._modes if each not in before + chosen)]
+
+    def _needed(self, modes: Sequence[QAction]) -> int:
+        """Pixels that buttons take with what is around them."""
+        metric, metrics = self.style().pixelMetric, QStyle.PixelMetric
+        around = metric(metrics.PM_ToolBarItemMargin) + metric(metrics.PM_ToolBarFrameWidth)
+        gap = metric(metrics.PM_ToolBarItemSpacing)
+        widths = [self.widgetForAction(each).sizeHint().width() + gap for each in modes]
+        return 2 * around + sum(widths)
 
 
 class _Swipe(QWidget):
