@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QInputDialog, QLabel, QMainWindow, QToolButton
+from PySide6.QtWidgets import QApplication, QInputDialog, QLabel, QMainWindow, QToolButton
 
 from ui.commands.panes import PANES, WORKSPACES
 from ui.commands.table import WORKSPACE_CHOICES
@@ -264,6 +264,15 @@ def test_a_narrow_panel_shows_the_button_of_the_chosen_view(panel, qtbot):
     panel.window().resize(800, 600)
     qtbot.waitUntil(lambda: len(buttons(panel)) == len(every))
     assert [text.lower() for text in buttons(panel)] == [text.lower() for text in every]
+
+
+@pytest.mark.parametrize("name", ["irradiance", "surface", "focus"])
+def test_no_width_hides_the_button_of_the_chosen_view(panel, qtbot, name):
+    panel.choose(name)
+    for width in range(240, 800, 35):
+        panel.window().resize(width, 600)
+        QApplication.processEvents()
+        assert any(text.isupper() for text in buttons(panel))
 
 
 def test_a_handle_parts_two_views_and_moves_by_mouse_and_keys(panel, qtbot):
