@@ -284,11 +284,11 @@ class ComputingView(View):
         if self._known:
             self._rest.stop()
             self.background.cancel()
-        elif self._resting and self._seen():
-            under_way = self.background.busy and self._request().same(self._asked)
-            if not under_way:
-                self.background.cancel()
-                self._rest.start()
+        elif not (self._resting and self._seen()):
+            self._rest.stop()
+        elif not (self.background.busy and self._request().same(self._asked)):
+            self.background.cancel()
+            self._rest.start()
         if self._frame is not None:
             self._show_veil()
             self._show_state()

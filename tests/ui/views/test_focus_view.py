@@ -1,5 +1,7 @@
 """Light before and behind the screen: traced for eyes, the latest distance first."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from ui.views.focus_view import FocusView, z_at
 from workbench.analysis.validation import validate, validating
 from workbench.geometry.faces import FaceArrays
 from workbench.measured.lamps import light_unit
+from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -133,3 +136,18 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     assert len(curve.errors) == PLACES
     view._more.click()
     assert not curve.isVisible()
+
+
+def test_nothing_is_traced_for_a_far_field_that_comes_while_a_screen_waits(
+    view, wavy, session, traces, qtbot
+):
+    view.show_frame(wavy(2))
+    far = {"kind": "far_field", "half_angle": [10.0, 10.0], "pixels": [32, 32]}
+    data = session.scene.to_data()
+    data["images"][0]["receiver"] = far
+    far_session = replace(session, scene=Scene.from_data(data))
+    view.show_frame(wavy(1, far_session))
+    traces.clear()
+    qtbot.wait(600)  # errors in slots fail a test
+    assert traces == []
+    assert "no distance" in view._readout.text()
