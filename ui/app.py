@@ -57,20 +57,27 @@ def main(arguments: list[str] | None = None) -> int:
     windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     # Else each full search goes through 300,000 objects of the slow libraries: 0.2 s.
     windows.loaded.connect(gc.freeze)
+    windows.forgotten.connect(_collect_frozen)
     unexpected.happened.connect(windows.show_unexpected_error)
     unexpected.qt_warned.connect(windows.log)
     unexpected.logged.connect(windows.log_details)
     if options.file is None and not options.start:
         options.file = _last_design(settings)
     signals = _leave_on_signals(windows, application)
-    window = windows.open(at_start=options.file is None and not options.start)
-    _begin_when_painted(window, lambda: _begin(windows, window, options))
+    _open_first(windows, options)
     status = application.exec()
     windows.wait()
     unexpected.close()
     signals.close()
     garbage.close()
     return status
+
+
+def _collect_frozen() -> None:
+    """Free a closed window that was there when the libraries were loaded, with all that it held."""
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()
 
 
 def _last_design(settings: "QSettings") -> Path | None:
@@ -120,6 +127,12 @@ def _application() -> "QApplication":
     application.setApplicationDisplayName(TITLE)
     theme.apply(application)
     return application
+
+
+def _open_first(windows: "Windows", options: argparse.Namespace) -> None:
+    """Open a window that nothing here holds: it may be closed while others stay."""
+    window = windows.open(at_start=options.file is None and not options.start)
+    _begin_when_painted(window, lambda: _begin(windows, window, options))
 
 
 def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None:

@@ -41,6 +41,7 @@ class Windows(QObject):
     """All windows, each with its own document, run and recovery file."""
 
     loaded = Signal()
+    forgotten = Signal()  # once a closed window is gone
 
     def __init__(self, settings: QSettings, folder: Path) -> None:
         super().__init__()
@@ -183,6 +184,7 @@ class Windows(QObject):
         if recovery is None or self._leaving:  # a question of the window may still stand
             return
         recovery.close()
+        window.destroyed.connect(lambda: QTimer.singleShot(0, self, self.forgotten.emit))
         window.deleteLater()
         if self._quitting and self._recoveries:
             QTimer.singleShot(0, self, self.quit)

@@ -97,3 +97,48 @@ def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number
     _, received = process.communicate(timeout=120)
     assert process.returncode == 0, received
     assert "Traceback" not in received
+
+
+_CLOSED_FIRST = """
+import sys, weakref
+from PySide6.QtCore import QTimer
+import ui.app as app
+from ui.windows import Windows
+
+class Program(Windows):
+    def __init__(self, *of):
+        super().__init__(*of)
+        self.loaded.connect(lambda: QTimer.singleShot(0, self, self.go_on))
+
+    def go_on(self):
+        first = weakref.ref(self.active())
+        self.held = weakref.ref(first().document)
+        self.forgotten.connect(lambda: QTimer.singleShot(0, self, self.tell))
+        close = lambda: first().discard_and_close()
+        self.open().built.connect(lambda: QTimer.singleShot(1000, self, close))
+
+    def tell(self):
+        print("gone" if self.held() is None else "still there", flush=True)
+        self.leave()
+        QTimer.singleShot(0, app_of().quit)
+
+def app_of():
+    from PySide6.QtWidgets import QApplication
+    return QApplication.instance()
+
+import ui.windows
+ui.windows.Windows = Program
+sys.exit(app.main([]))
+"""
+
+
+@pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
+def test_the_first_window_leaves_nothing_behind_when_another_stays(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-c", _CLOSED_FIRST],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.stdout == "gone\n", done.stderr
