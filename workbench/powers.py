@@ -44,14 +44,14 @@ def written(value: float, unit: str = "", digits: int = 4) -> str:
     """
     if unit in METRES and unit != "inch" and 0 < abs(value) * float(METRES[unit]) < _MICRO:
         value, unit = value * float(METRES[unit] * 10**6), "µm"
-    value = _rounded(value, digits)
+    value = rounded(value, digits)
     power = 0 if _LEAST_ALONE <= abs(value) < _PLAIN[1] else power_of(value, value)
     if not power:
         return _with_unit(_positional(value), unit)
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     if not unit:
         power = int(exponent)
-    number = _positional(_rounded(float(mantissa) * 10.0 ** (int(exponent) - power), digits))
+    number = _positional(rounded(float(mantissa) * 10.0 ** (int(exponent) - power), digits))
     ten = _ten(power)
     return ten if number == "1" and not unit else _with_unit(f"{number} · {ten}", unit)
 
@@ -86,8 +86,14 @@ def without_power(name: str) -> str:
     return _POWER.sub(lambda ten: "1 " if name[ten.end()] == "/" else "", name, count=1)
 
 
-def _rounded(value: float, digits: int) -> float:
-    """Round to significant digits; zero has no sign."""
+def rounded(value: float, digits: int) -> float:
+    """Round to significant digits; zero has no sign.
+
+    Examples
+    --------
+    >>> rounded(-129.4939478, 5), rounded(0.012345, 2)
+    (-129.49, 0.012)
+    """
     return float(f"{value:.{digits}g}") + 0.0
 
 

@@ -13,6 +13,7 @@ from ui.widgets.labels import WrappedLabel, text_label
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
+from workbench.powers import rounded
 from workbench.scene import LEVELS, Finish, ImageTarget
 from workbench.scene.part import summary_of, title_of
 
@@ -60,7 +61,7 @@ class JobForm(RowForm):
         except Refused:  # reported when the picture is drawn
             return list(size)
         larger = max(size)
-        shorter = float(f"{larger * min(aspect, 1 / aspect):.3g}")
+        shorter = rounded(larger * min(aspect, 1 / aspect), 3)
         return [larger, shorter] if aspect > 1 else [shorter, larger]
 
     def choose_light(self, path: Path) -> None:

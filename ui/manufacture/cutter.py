@@ -20,7 +20,7 @@ from ui.words import capitalised, later, tr
 from workbench.files.export.formats import GCODE, Format
 from workbench.files.export.options import Chosen, Cutting
 from workbench.files.session import Session
-from workbench.powers import written
+from workbench.powers import rounded, written
 
 if TYPE_CHECKING:
     from workbench.files.export.cut_plan import CutPlan
@@ -139,7 +139,7 @@ class CutterDialog(WorkDialog):
         self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
-        self.fields.enter(cutter=None, tool_radius=float(f"{self._fitting:.2g}"))
+        self.fields.enter(cutter=None, tool_radius=rounded(self._fitting, 2))
 
 
 def _words(plan: "CutPlan", unit: str) -> str:

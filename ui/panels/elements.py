@@ -14,7 +14,7 @@ from ui.words import capitalised, in_sentence, later, tr
 from workbench.design.limits import bounded
 from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
-from workbench.powers import written
+from workbench.powers import rounded, written
 from workbench.scene import (
     AnyElement,
     Diffuser,
@@ -65,16 +65,16 @@ def _behind(element: AnyElement) -> tuple[float, float, float]:
     x, y, _ = element.position
     gap = _GAP * max(element.half_width)
     z = element.highest + gap if element.onwards > 0 else element.lowest - gap
-    return x, y, float(f"{z:.6g}")
+    return x, y, rounded(z, 6)
 
 
 def _shifted(element: AnyElement, by: float) -> AnyElement:
     x, y, z = element.position
-    return element.model_copy(update={"position": (x, y, float(f"{z + by:.12g}"))})
+    return element.model_copy(update={"position": (x, y, rounded(z + by, 12))})
 
 
 def _rounded(length: float) -> float:
-    return float(f"{length:.3g}")
+    return rounded(length, 3)
 
 
 _CUSTOM_INDEX = "index"
@@ -231,7 +231,7 @@ class _ElementRows(Rows):
                 x, y = ControlNet.of(optic).positions
                 base = optic.base.height_at(x[:, None], y[None, :])
                 half = max(half, 1.5 * float(np.abs(heights[face.name] - base).max()))
-        half = float(f"{half:.2g}")
+        half = rounded(half, 2)
         return [-half, half]
 
 

@@ -19,6 +19,7 @@ from ui.widgets.controls import Chooser, filled
 from ui.widgets.labels import DragLabel
 from ui.widgets.search import holds
 from ui.words import in_sentence, tr
+from workbench.powers import rounded
 from workbench.scene import AutoNet, Element, FieldDescription, Measure, Part
 from workbench.scene.fields import AUTO, Fallback, LeftOut
 from workbench.scene.paths import value_at
@@ -325,4 +326,4 @@ def dragged(value: float, by: float, field: FieldDescription) -> float:
         return round(field.clamped(value * _PART**by if value else _WHOLE_STEP * by))
     found = field.times * value * _PART**by if value else _STEP * by
     digits = _DIGITS if by.is_integer() else _FINE_DIGITS
-    return field.clamped(float(f"{found:.{digits}g}") / field.times)
+    return field.clamped(rounded(found, digits) / field.times)

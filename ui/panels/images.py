@@ -19,7 +19,7 @@ from ui.words import error_text, in_sentence, later, tr
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.powers import written
+from workbench.powers import rounded, written
 from workbench.scene import (
     AnyRegion,
     FieldDescription,
@@ -148,7 +148,7 @@ class ImagesPanel(ListedPanel[Image]):
         receiver = last.receiver
         if receiver.at_distance:
             away = _FARTHER * (receiver.plane_z - near)
-            receiver = receiver.moved_to(float(f"{near + away:.6g}"))
+            receiver = receiver.moved_to(rounded(near + away, 6))
         return Image(receiver=receiver, target=last.target)
 
     def summary(self, part: Image) -> str:

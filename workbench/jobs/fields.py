@@ -3,6 +3,7 @@
 from typing import Annotated, Any, Literal
 
 import resources
+from workbench.powers import rounded
 from workbench.scene import ImageTarget, Measure, Part, Positive, Target
 from workbench.scene.fields import LENGTH, Choices, about
 
@@ -118,7 +119,7 @@ def halves(size: tuple[float, float]) -> list[float]:
 
 def legible(*numbers: float) -> list[float]:
     """Numbers of a calculation with five digits, which a person can read and fields can show."""
-    return [float(f"{number:.5g}") for number in numbers]
+    return [rounded(number, 5) for number in numbers]
 
 
 def written(part: Part) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from workbench.extended.blur import Blur, diffraction
 from workbench.jobs.fields import GREEN_UM, Material, Picture, Size, Thickness, lens, written
 from workbench.jobs.slopes import needed_slopes
 from workbench.messages import Message
+from workbench.powers import rounded
 from workbench.refusals import refusal
 from workbench.scene import Part, Scene
 
@@ -133,7 +134,7 @@ def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
     if lens and thickness is None:
         rise = needed_slopes(scene).rise
         middle = element["min_thickness"] + _RISE * rise + _BODY * max(scene.optic.half_width)
-        element = element | {"thickness": float(f"{middle:.2g}")}
+        element = element | {"thickness": rounded(middle, 2)}
     return scene_with(pixels)
 
 
@@ -157,11 +158,11 @@ def blur_widths(scene: Scene) -> tuple[float, float]:
 
 def _lens(given: dict[str, Any], thickness: float | None) -> dict[str, Any]:
     half = max(given["half_width"])
-    thin = float(f"{max(_THINNEST * half, _LEAST_MM):.2g}")
+    thin = rounded(max(_THINNEST * half, _LEAST_MM), 2)
     if thickness is None:
         return {"min_thickness": thin, "thickness": half / 2} | given
     thin = min(thin, thickness / 2)
-    middle = float(f"{(thin + thickness) / 2:.3g}")
+    middle = rounded((thin + thickness) / 2, 3)
     return {"min_thickness": thin, "max_thickness": thickness, "thickness": middle} | given
 
 

@@ -32,6 +32,7 @@ from workbench.jobs.fields import (
 )
 from workbench.jobs.job import Job, LensJob, proposed
 from workbench.messages import Message
+from workbench.powers import rounded
 from workbench.scene import (
     AutoNet,
     AutoRun,
@@ -144,7 +145,7 @@ class TorchBeam(LensJob):
         light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
         whole = _BEYOND * self.spill_angle
         levels = {self.beam_angle: 0.5, self.field_angle: 0.1, self.spill_angle: self.spill / 100}
-        points = ((float(f"{angle / whole:.4g}"), level) for angle, level in levels.items())
+        points = ((rounded(angle / whole, 4), level) for angle, level in levels.items())
         target = BeamTarget(profile=((0.0, 1.0), *points), viewed_from="front")
         field = {"kind": "far_field", "half_angle": halves((whole, whole))}
         return self.through_lens(light, field, target=target)

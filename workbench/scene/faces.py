@@ -18,6 +18,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.levels import EXPERT
 from workbench.messages import Message
+from workbench.powers import rounded
 from workbench.scene import limits
 from workbench.scene.fields import LENGTH, about
 from workbench.scene.part import Part
@@ -177,7 +178,7 @@ class ConicFace(AnyFixedFace):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Shallow enough for any element."""
-        return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
+        return {"radius": rounded(10 * math.hypot(*scene.optic.half_width), 2)}
 
     def scaled(self, factor: Fraction) -> Self:
         """See `Part.scaled`; a coefficient of rⁿ is a length to the power 1 − n."""

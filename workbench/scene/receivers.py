@@ -11,6 +11,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.levels import EXPERT, full_size
 from workbench.messages import Message, Stated
+from workbench.powers import rounded
 from workbench.scene import limits
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
@@ -73,10 +74,10 @@ class Screen(AnyReceiver):
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Some widths of the lens away from it, as wide as the receiver that is there looks."""
         receiver, optic = scene.receiver, scene.optic
-        away = float(f"{_DISTANCE * max(optic.half_width):.3g}")
+        away = rounded(_DISTANCE * max(optic.half_width), 3)
         wide = zip(receiver.half_extent, receiver.per_radian(optic.leaving_z), strict=True)
-        half = tuple(float(f"{away * math.tan(min(r / far, _WIDEST)):.3g}") for r, far in wide)
-        z = float(f"{optic.leaving_z + optic.onwards * away:.6g}")
+        half = tuple(rounded(away * math.tan(min(r / far, _WIDEST)), 3) for r, far in wide)
+        z = rounded(optic.leaving_z + optic.onwards * away, 6)
         return {"position": (0.0, 0.0, z), "half_width": half, "pixels": receiver.pixels}
 
     @property
@@ -307,7 +308,7 @@ class FarField(AnyReceiver):
         """As wide as the receiver that is there looks from the lens."""
         receiver = scene.receiver
         wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.leaving_z), strict=True)
-        half = tuple(float(f"{math.degrees(math.atan(r / far)):.3g}") for r, far in wide)
+        half = tuple(rounded(math.degrees(math.atan(r / far)), 3) for r, far in wide)
         return {"half_angle": half, "pixels": receiver.pixels}
 
     def check_receiver(self) -> None:

@@ -14,6 +14,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.levels import EXPERT, LIMITS
 from workbench.messages import Message
+from workbench.powers import rounded
 from workbench.scene import limits
 from workbench.scene.faces import LARGEST_NET, ConicFace, Degree, FixedFace, NetShape, PlaneFace
 from workbench.scene.fields import FILE, LENGTH, RANGE, AutoNet, NumbersOrAuto, about
@@ -107,7 +108,7 @@ class SphereBase(_AnyBase):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Shallow enough for any lens or mirror that a flat base was good for."""
-        return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
+        return {"radius": rounded(10 * math.hypot(*scene.optic.half_width), 2)}
 
     def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
         """Refuse a radius beyond what can be computed with, or a cap that ends within the rim."""

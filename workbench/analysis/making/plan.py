@@ -26,6 +26,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets, nets_of
 from workbench.messages import Message
 from workbench.optics.plan import tensors_of
+from workbench.powers import rounded
 from workbench.progress import Steps, within
 from workbench.scene import Scene, WantedImage
 from workbench.scene.making.milling import Milling
@@ -214,11 +215,11 @@ def _plan(
     step, error = found
     mm = 1e3 * METRES[scene.unit]
     digit = 10.0 ** (math.floor(math.log10(step)) - 1)
-    milling = Milling(ball_radius=radius, step_over=float(f"{digit * (step // digit):.2g}"))
+    milling = Milling(ball_radius=radius, step_over=rounded(digit * (step // digit), 2))
     sizes = [[2 * mm * r for r in element.half_width] for element in scene.optics]
     area = sum(x * y for x, y in sizes)
     passes = sum(y / (mm * step) for _, y in sizes)
     cutting = area / (mm * step) / options.feed + passes * _TURN / 60
     polishing = options.polish_time * area / 100 * (mm * width / 0.1) ** 2
-    polish = Polishing(width=float(f"{width:.2g}")) if width else None
+    polish = Polishing(width=rounded(width, 2)) if width else None
     return ShopPlan(milling, polish, error, cutting, polishing)

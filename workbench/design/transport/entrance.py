@@ -24,6 +24,7 @@ from workbench.design.transport.view import ReceiverView
 from workbench.geometry.reach import largest_turn
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
+from workbench.powers import rounded
 from workbench.scene import ConicFace, Element, Face, Lens, PlaneFace, Scene, SplineFace
 
 _CELLS, _NET = 64, 8  # cells along each axis, and control points of a plate
@@ -170,7 +171,7 @@ def hollow(optic: Element, depth: float) -> ConicFace:
     ellipse = optic.outline == "ellipse"
     rim = max(optic.half_width) if ellipse else math.hypot(*optic.half_width)
     depth = min(depth, _DEEPEST * rim)
-    return ConicFace(radius=-float(f"{(rim**2 + depth**2) / (2 * depth):.3g}"))
+    return ConicFace(radius=-rounded((rim**2 + depth**2) / (2 * depth), 3))
 
 
 def reach(scene: Scene, target: Array, face: Face) -> EntranceReach:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import ConfigDict
 
 from workbench.levels import EXPERT
+from workbench.powers import rounded
 from workbench.scene.fields import LENGTH, Measure, about
 from workbench.scene.making.process import Process
 from workbench.scene.making.relief import RandomRelief
@@ -42,4 +43,4 @@ class FigureError(Process):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Waves a tenth of the lens long."""
-        return {"length": float(f"{0.2 * min(scene.optic.half_width):.1g}")}
+        return {"length": rounded(0.2 * min(scene.optic.half_width), 1)}

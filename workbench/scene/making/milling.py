@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import ConfigDict
 
 from workbench.levels import EXPERT
-from workbench.powers import written
+from workbench.powers import rounded, written
 from workbench.scene.element import Element
 from workbench.scene.fields import ANGLE, LENGTH, about
 from workbench.scene.making.process import BallCut, Process, check_step, check_width
@@ -81,5 +81,5 @@ class Milling(Process):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """A ball that is small beside the lens."""
-        radius = float(f"{_BALL * min(scene.optic.half_width):.1g}")
+        radius = rounded(_BALL * min(scene.optic.half_width), 1)
         return {"ball_radius": radius, "step_over": _STEP * radius}

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import ConfigDict
 
 from workbench.levels import EXPERT
+from workbench.powers import rounded
 from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, about
 from workbench.scene.making.process import Process, check_width
@@ -61,4 +62,4 @@ class Polishing(Process):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """A width that leaves the details of most lenses."""
-        return {"width": float(f"{0.002 * min(scene.optic.half_width):.1g}")}
+        return {"width": rounded(0.002 * min(scene.optic.half_width), 1)}

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import ConfigDict
 
+from workbench.powers import rounded
 from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, about
 from workbench.scene.making.process import Process, Shrinkage, check_width
@@ -63,5 +64,5 @@ class Printing(Process):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Layers and pixels that are fine beside the lens."""
-        size = float(f"{0.001 * min(scene.optic.half_width):.1g}")
+        size = rounded(0.001 * min(scene.optic.half_width), 1)
         return {"layer_height": size, "pixel_size": size, "dip_width": 4 * size}

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import ConfigDict
 
+from workbench.powers import rounded
 from workbench.scene.element import Element
 from workbench.scene.fields import LENGTH, about
 from workbench.scene.making.process import Process, check_step, check_width
@@ -44,5 +45,5 @@ class Turning(Process):
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """A tool that is small beside the lens."""
-        radius = float(f"{_NOSE * min(scene.optic.half_width):.1g}")
+        radius = rounded(_NOSE * min(scene.optic.half_width), 1)
         return {"nose_radius": radius, "feed": _FEED * radius}
