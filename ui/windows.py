@@ -49,7 +49,7 @@ class Windows(QObject):
         self._recoveries: dict[MainWindow, Recovery] = {}
         self._loading = Background(later("start"), self)
         self._warm = False  # whether views can be built without holding the windows up
-        self._loading.progressed.connect(lambda *_: self.loaded.emit())
+        self._loading.progressed.connect(self.loaded)
         self._loading.failed.connect(self.log)
         self.loaded.connect(self._build_all)
         self._quitting = self._leaving = False

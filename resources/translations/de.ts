@@ -3585,8 +3585,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>check of the run</source>
-            <translation>Prüfung des Laufs</translation>
+            <source>check of the result</source>
+            <translation>Prüfung des Ergebnisses</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />

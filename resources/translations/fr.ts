@@ -3585,8 +3585,8 @@
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />
-            <source>check of the run</source>
-            <translation>vérification de l'exécution</translation>
+            <source>check of the result</source>
+            <translation>vérification du résultat</translation>
         </message>
         <message>
             <location filename="../../ui/run/checks.py" />

@@ -102,7 +102,9 @@ def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number
 _CLOSED_FIRST = """
 import sys, weakref
 from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
 import ui.app as app
+import ui.windows
 from ui.windows import Windows
 
 class Program(Windows):
@@ -120,13 +122,8 @@ class Program(Windows):
     def tell(self):
         print("gone" if self.held() is None else "still there", flush=True)
         self.leave()
-        QTimer.singleShot(0, app_of().quit)
+        QTimer.singleShot(0, QApplication.quit)
 
-def app_of():
-    from PySide6.QtWidgets import QApplication
-    return QApplication.instance()
-
-import ui.windows
 ui.windows.Windows = Program
 sys.exit(app.main([]))
 """

@@ -205,7 +205,7 @@ class RunCheck(QObject):
         self._cost = _GUESS
         self._end: CheckedLens | None = None  # the lens that was finished last
         self._result: Result | None = None  # that it is of
-        self.background = Background(later("check of the run"), self)
+        self.background = Background(later("check of the result"), self)
         self.background.done.connect(self._show_outcome)
         self.background.failed.connect(self.failed)
         control.runner.state_changed.connect(self._follow)

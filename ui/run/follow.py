@@ -9,8 +9,8 @@
    no start.
 4. An edit that does not change the lens, such as a region, continues the design from its best lens.
 5. Runs, and checks that a person asks for, have priority. Edits during such a check are designed
-   after it. The checked lens counts as stopped: continuing its design would replace it. The check
-   of a finished lens (`RunCheck`) gives way to the next edit.
+   after it. The checked lens counts as stopped: continuing its design would replace it. The next
+   edit cancels the check of a finished lens (`RunCheck`).
 """
 
 from dataclasses import dataclass, field, replace

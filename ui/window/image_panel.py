@@ -176,20 +176,12 @@ class _Modes(QToolBar):
 
         By widths alone: to lay the bar out within its own resizing would not end.
         """
-        offered = [each for each in self._modes if each.isVisible()]
-        chosen = [each for each in offered if each.isChecked()]
-        rest = [each for each in offered if each not in chosen]
-        if self._needed(offered) <= self.width():
-            return self._modes
-        metrics = QStyle.PixelMetric
-        space = self.width() - self.style().pixelMetric(metrics.PM_ToolBarExtensionExtent)
-        first = [each for n, each in enumerate(offered) if self._needed(offered[: n + 1]) <= space]
-        if not chosen or chosen[0] in first:
-            return self._modes
-        before = [
-            each for n, each in enumerate(rest) if self._needed([*rest[: n + 1], *chosen]) <= space
-        ]
-        return [*before, *chosen, *(each for each in self._modes if each not in before + chosen)]
+        kept = [each for each in self._modes if each.isVisible()]
+        if self._needed(kept) > self.width():
+            more = self.style().pixelMetric(QStyle.PixelMetric.PM_ToolBarExtensionExtent)
+            while len(kept) > 1 and self._needed(kept) + more > self.width():
+                kept.remove([each for each in kept if not each.isChecked()][-1])
+        return [*kept, *(each for each in self._modes if each not in kept)]
 
     def _needed(self, modes: Sequence[QAction]) -> int:
         """Pixels that buttons take with what is around them."""

@@ -99,8 +99,8 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     assert window.document.session is before
 
 
-def said(window, text):
-    """Whether the place of the check's figures says something instead of them."""
+def states(window, text):
+    """Whether the check's pane shows a text in place of figures."""
     labels = window.loaded.figures.findChildren(QLabel)
     return any(label.text() == text and not label.isHidden() for label in labels)
 
@@ -111,13 +111,13 @@ def test_a_followed_lens_is_checked_until_the_next_edit(following, qtbot):
         fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "6")
     first = document.session.result
     assert window.loaded.runs.check.background.busy
-    assert said(window, "Checking…")
+    assert states(window, "Checking…")
     with settled(window, qtbot):
         fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "7")
     second = document.session.result
     with qtbot.waitSignal(window.loaded.check.checked, timeout=60_000) as shown:
         pass
-    assert not said(window, "Checking…")
+    assert not states(window, "Checking…")
     lens, found, _ = shown.args
     assert lens.heights == second.state.heights
     assert (
@@ -135,7 +135,7 @@ def test_a_check_that_is_asked_for_takes_the_place_of_that_of_a_followed_lens(fo
     with qtbot.waitSignal(asked.checked, timeout=60_000):
         following.commands["check"].trigger()
         assert asked.background.busy and not own.busy
-        assert said(following, "Checking…")
+        assert states(following, "Checking…")
 
 
 def test_a_followed_lens_is_not_checked_where_a_person_wants_no_checks(following, settings, qtbot):

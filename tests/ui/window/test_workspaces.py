@@ -267,7 +267,7 @@ def test_a_narrow_panel_shows_the_button_of_the_chosen_view(panel, qtbot):
 
 
 @pytest.mark.parametrize("name", ["irradiance", "surface", "focus"])
-def test_no_width_hides_the_button_of_the_chosen_view(panel, qtbot, name):
+def test_no_width_hides_the_button_of_the_chosen_view(panel, name):
     panel.choose(name)
     for width in range(240, 800, 35):
         panel.window().resize(width, 600)
