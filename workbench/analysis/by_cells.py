@@ -240,6 +240,9 @@ class ByCells:
         }
 
 
+_IMAGE = 0.7  # estimated fraction of the work for the image, where its error has to be found, too
+
+
 def without_scatter(
     scene: Scene,
     heights: Mapping[str, Array],
@@ -250,12 +253,12 @@ def without_scatter(
     random_rays: int,
 ) -> Steps[tuple[CellImage | None, IndependentError | None]]:
     """Compute the image by cells, and the error by independent images where that is more exact."""
-    steps = imaging(scene, heights, accuracy, pose, threads, random_rays)
-    image = yield from within(steps, lambda part: part / 2)
-    if image is None or (off := image.error(target)[1]) <= accuracy or not image.sized:
+    steps = imaging(scene, heights, accuracy, pose, threads, random_rays, target)
+    image = yield from within(steps, lambda part: _IMAGE * part)
+    if image is None or (off := image.error(target)[1]) <= image.wanted or not image.sized:
         return image, None
     rays = tracing_independently(scene, heights, target, accuracy, pose, threads, random_rays)
-    independent = yield from within(rays, lambda part: 0.5 + part / 2)
+    independent = yield from within(rays, lambda part: _IMAGE + (1 - _IMAGE) * part)
     return image, independent if independent.unscattered.off < off else None
 
 

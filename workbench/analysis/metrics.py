@@ -21,11 +21,17 @@ _K_1, _K_2 = 0.01, 0.03
 # Parts of the target's peak from where a pixel is lit and up to where it is black.
 _LIT, _BLACK = 0.5, 0.01
 _AT_ONCE = 1 << 18  # pixels processed together
+_DIGITS = 40  # a distance over its error that suffices
 
 
 def relative_l2(image: Array, target: Array) -> float:
     """‖I − T‖ / ‖T‖ of normalised images."""
     return root(product(image, image, target))
+
+
+def enough(accuracy: float, distance: float) -> float:
+    """Error of an image that suffices at a distance to its target: 0.3 % of 12 %, if not more."""
+    return max(accuracy, distance / _DIGITS)
 
 
 def root(square: float) -> float:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.metrics import root
+from workbench.analysis.metrics import enough, root
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.sampling import BATCHES
 from workbench.analysis.tracing.trace import Trace
@@ -108,7 +108,7 @@ def tracing_independently(
     threads: int | None = None,
     random_rays: int | None = None,
 ) -> Steps[IndependentError]:
-    """Find the error of a lens by independent images, with more rays until ``accuracy`` is met.
+    """Find the error of a lens by independent images, with more rays until it is accurate `enough`.
 
     The images have at most four times ``random_rays``.
     """
@@ -124,7 +124,7 @@ def tracing_independently(
             rays += trace.rays
         found = CorrectedDistance.of_pairs(list(images), target)
         run, together = run + 1, 2 * together
-        if found.off <= accuracy or together > most:
+        if found.off <= enough(accuracy, found.distance - found.off) or together > most:
             return IndependentError(found, rays)
 
 

@@ -38,7 +38,7 @@ from workbench.scene import Scene
 
 Images = list[npt.NDArray[np.float32]]
 
-_CELLS = 0.2  # estimated fraction of the work for the image by cells
+_CELLS = 0.7  # estimated fraction of the work for the image by cells
 _HUGE = 1e200  # largest value of a target that is not scaled, so that its sum is finite
 
 
@@ -59,7 +59,8 @@ def validate(
     `target` (n_y, n_x): of the first image, in any scale, row 0 at +y; `rays`: least number for
     each image, rounded up to whole batches; a quarter more are traced for the corrected error;
     `screen_z`: z of the screen in place of the scene's; `threads`: by default one for each core;
-    `accuracy`: relative error of the image by cells; see `imaging`. Raises `Refused` if there are
+    `accuracy`: relative error of the image by cells, or a fortieth of its distance to the target
+    if that is more; see `imaging`. Raises `Refused` if there are
     too many rays, the screen may touch the lens, or the lens is no solid body; `RunFailed` if no
     light reaches the receiver, or too few rays of a file.
 

@@ -38,6 +38,22 @@ def test_the_error_is_within_its_bound(make_scene, source, degree, finest):
         assert coarse.bound < 5 * error + finest
 
 
+@pytest.mark.parametrize("source", [POINT, {"kind": "collimated", "angular_diameter": 6.0}])
+def test_an_image_far_from_its_target_takes_fewer_cells(make_scene, source):
+    scene = make_scene({"source": source, "screen.half_width": [1.5, 1.3]})
+    exact = found(scene, waves(scene), accuracy=1e-3)
+    there = exact.irradiance.sum() / exact.irradiance.size
+    stripes = there * (np.arange(32) % 2) * np.ones((32, 1))
+    # The error of the stripes, and of an image that is nearly the target.
+    for part, fewer in ((1.0, True), (0.01, False)):
+        target = part * stripes + (1 - part) * exact.irradiance
+        image = found(scene, waves(scene), accuracy=1e-3, target=target)
+        assert (image.cells < exact.cells) is fewer
+        error, bound = image.error(target)
+        assert bound <= (error / 20 if fewer else 2e-3)
+        assert abs(error - exact.error(target)[0]) < bound
+
+
 def test_an_image_is_the_same_each_time(make_scene):
     scene = make_scene({"source": POINT})
     first, again = (found(scene, waves(scene)) for _ in range(2))

@@ -10,7 +10,7 @@ import numpy as np
 from workbench.analysis.cells.drawing import Drawing
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.cells.spots import Spots
-from workbench.analysis.metrics import relative_l2
+from workbench.analysis.metrics import enough, relative_l2
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
@@ -59,8 +59,11 @@ def imaging(
     pose: Pose | None = None,
     threads: int | None = None,
     random_rays: int | None = None,
+    target: Array | None = None,
 ) -> Steps[CellImage | None]:
     """Compute the image of a lens by cells in steps, until the bound is below ``accuracy``.
+
+    `target` (n_y, n_x): an image that is far from it has to be as accurate as `enough` says.
 
     Each level has cells of half the width, and twice as many origins of an extended source; see
     `LightSource.finer`. A disc of directions is drawn as `Spots`. If the error falls by a factor r,
@@ -82,7 +85,7 @@ def imaging(
     if random_rays is not None:
         most = min(max(_EACH * random_rays, _PLANNED * _BEGIN), _MOST)
     images: list[Array] = []
-    bound, factor, level, step = math.inf, _FASTEST, 0.0, 1.0
+    bound, factor, level, step, wanted = math.inf, _FASTEST, 0.0, 1.0, accuracy
     while True:
         drawing = levels.drawing(level)
         image = yield from within(drawing.tracing(threads), partial(_done, level))
@@ -92,12 +95,14 @@ def imaging(
             break
         if level >= 2:
             bound, factor = _bound(*images)
+            if target is not None and image.any():
+                wanted = enough(accuracy, relative_l2(image, target) - bound)
             more = levels.more(level)
             # Where origins double too, random rays are faster than several more levels.
-            hopeless = more > 1 and bound > _FASTEST * accuracy
-            if bound > accuracy and levels.gradual:
-                step = min(math.log(bound / (_AIM * accuracy), factor), 1.0)
-            if bound <= accuracy or hopeless or 4**step * more * drawing.rays > most:
+            hopeless = more > 1 and bound > _FASTEST * wanted
+            if bound > wanted and levels.gradual:
+                step = min(math.log(bound / (_AIM * wanted), factor), 1.0)
+            if bound <= wanted or hopeless or 4**step * more * drawing.rays > most:
                 break
         elif 4 * levels.more(level) * drawing.rays > _PARTLY * most:
             return None
@@ -105,7 +110,7 @@ def imaging(
     if not image.any():  # random rays may still find light
         return None
     irradiance = image / scene.receiver.pixel_measure
-    return CellImage(irradiance, bound, levels.cells(level), accuracy, drawing.lost, levels.sized)
+    return CellImage(irradiance, bound, levels.cells(level), wanted, drawing.lost, levels.sized)
 
 
 class Levels:
@@ -176,8 +181,13 @@ class LinesDrawing:
 
 
 def _done(level: float, fraction: float) -> float:
-    """Fraction of the whole that is done after a fraction of a level."""
-    return 1 - math.pow(0.25, level + fraction)
+    """Fraction of the whole that is done after a fraction of a level.
+
+    Three levels, the least, are three quarters of it; each further one is half of what is left.
+    """
+    if level <= 2:
+        return (4**level * (1 + 3 * fraction) - 1) / 84
+    return 1 - 0.5 ** math.ceil(level) * (2 - fraction)
 
 
 def _more(light: LightSource, level: int) -> float:
