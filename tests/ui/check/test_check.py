@@ -1,6 +1,6 @@
 """Checks from the window: figures beside the loss, until another lens is shown."""
 
-from threading import Semaphore, Timer
+from threading import Semaphore
 from types import SimpleNamespace
 
 import numpy as np
@@ -159,10 +159,9 @@ def test_closing_the_window_ends_a_check(window, gate, qtbot):
     window.commands["check"].trigger()
     qtbot.waitUntil(lambda: len(gate.begun) == 1)
     gate.release(1)
-    next_step = Timer(0.2, gate.release)  # a real one ends by itself
-    next_step.start()
+    # The next step ends after the check has been asked to end.
+    check.background.changed.connect(lambda task: task.ended and gate.release())
     window.discard_and_close()
-    next_step.join()
     assert not check.background.running
     assert gate.left == gate.begun
 
