@@ -79,7 +79,7 @@ def test_both_say_the_same_of_each_kind_of_source(lens, target, source):
     exact = found.by_cells
     low, high = found.relative_l2_corrected_interval
     assert low < exact.relative_l2_corrected < high
-    assert exact.bound <= 2e-3
+    assert exact.bound <= exact.relative_l2_corrected / 40
     assert exact.unscattered.interval[0] == 0
     assert found.contradiction is None
     assert found.beside_run(1.004 * exact.irradiance, scene.receiver) is None
