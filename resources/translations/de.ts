@@ -8541,6 +8541,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
+            <source>converged: in the light of other points of the source the image gets worse</source>
+            <translation>konvergiert: im Licht anderer Punkte der Quelle wird das Bild schlechter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
             <source>{ended}; no iteration made the lens better</source>
             <translation>{ended}; keine Iteration hat die Linse verbessert</translation>
         </message>

@@ -8541,6 +8541,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
+            <source>converged: in the light of other points of the source the image gets worse</source>
+            <translation>convergé : à la lumière d'autres points de la source, l'image se dégrade</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
             <source>{ended}; no iteration made the lens better</source>
             <translation>{ended} ; aucune itération n'a amélioré la lentille</translation>
         </message>

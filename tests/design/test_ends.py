@@ -8,13 +8,17 @@ import numpy as np
 import pytest
 import torch
 
+from workbench.api import begin
+from workbench.design.auto import auto_judged
 from workbench.design.live import LiveDesign
 from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History, Pace
 from workbench.errors import RunFailed
+from workbench.jobs.lenses import LedRectangle
 from workbench.optics.beam_plan import BeamPlan
+from workbench.scene.paths import with_values
 
 
 @pytest.fixture
@@ -125,6 +129,26 @@ def test_that_light_is_nearer_to_what_the_lens_does(shown, make_scene, bars):
     seen, judged = (relative_error(state, bars) for state in (best.state, last.state))
     assert seen < true
     assert abs(judged - true) < 0.6 * abs(seen - true)
+
+
+def test_a_run_ends_where_its_lens_gets_worse_in_other_light(monkeypatch):
+    """Two faces of many control points suit the points that stand for an LED, and no others."""
+    monkeypatch.setattr("workbench.design.auto._FIRST_LOOK", 5)
+    scene = LedRectangle().scene()
+    front = {"shape": "bspline", "control_points": [32, 24], "height_range": [-4.0, 4.0]}
+    changes = {
+        "elements[0].faces": [front, {"shape": "bspline", "control_points": [32, 24]}],
+        "images[0].receiver.pixels": [39, 24],
+    }
+    session = begin(with_values(scene, changes))
+    history = History()
+    *_, last, judged = history.follow(run(session.scene, session.target))
+    assert "in the light of other points of the source the image gets worse" in str(
+        history.result().ended
+    )
+    assert judged.judged and last.iteration < scene.run.iterations
+    at_last = auto_judged(session.scene, session.target, last.state.heights).state.loss
+    assert last.state.loss < judged.state.loss < 0.7 * at_last
 
 
 def test_an_edit_keeps_the_better_lens_that_was_there(make_scene, bars):

@@ -11,6 +11,7 @@
   that light beside the screen counts as an error.
 """
 
+import math
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import closing
 from functools import partial
@@ -28,7 +29,7 @@ from workbench.design.levels import eases_of, finest_image, judging_image
 from workbench.design.loss import check_gradient, relative_error
 from workbench.design.narrow import begin_within, times_fewer
 from workbench.design.smoothness import Smoothness
-from workbench.design.snapshot import GAINED, NO_IMAGE
+from workbench.design.snapshot import GAINED, NO_IMAGE, OTHERWISE_WORSE
 from workbench.design.waves import FaceWaves
 from workbench.errors import RunFailed
 from workbench.geometry.as_made import AsMade
@@ -40,6 +41,11 @@ from workbench.progress import check_given_up, check_interruption
 from workbench.scene import Scene
 
 Steps = Generator[Step, None, str]
+
+# After how many steps a lens is looked at in light that it was not fitted to; again after twice as
+# many each time. There the error grows by these factors, and is by this one above that of the run,
+# where a run ends. 4 mm of height before an LED end at 2.5 % after 261 steps, and at 1.8 % so.
+_FIRST_LOOK, _WORSE, _APART = 40, 1.1, 1.1
 
 # Iterations of the exit face alone, for comparison: they cost a third of those of two faces.
 _ITERATIONS = 15
@@ -94,6 +100,8 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     if far_off or several:
         descents = tuple(each._replace(gain=each.gain / _SLOWER) for each in descents)
     steps = _descended(image, start, free, mirrored, smoothness, descents, eases, most)
+    if smoothness is None and image.blurred and not any(image.blur_widths):
+        steps = _looked_at(steps, bounds)
     if goes_on:
         next(steps)  # has been shown
     elif (
@@ -103,6 +111,29 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
     ):
         steps = with_gain(steps, bounds, auto_steps)
     return (yield from steps)
+
+
+def _looked_at(steps: Steps, bounds: Bounds) -> Steps:
+    """Pass on steps in the light of few points, until the lens is worse in the light of others."""
+    number, next_look, least = 0, _FIRST_LOOK, math.inf
+    with closing(steps):
+        while True:
+            try:
+                step = next(steps)
+            except StopIteration as end:
+                ended: str = end.value
+                return ended
+            number += 1
+            if number < next_look:
+                yield step
+                continue
+            next_look *= 2
+            light = auto_judged(bounds.scene, bounds.target, step.state.heights)
+            yield step._replace(judged=light)
+            loss = step.state.loss if light is None else light.state.loss
+            if loss > max(_WORSE * least, _APART * step.state.loss):
+                return Message(OTHERWISE_WORSE)
+            least = min(loss, least)
 
 
 def _far_off(bounds: Bounds, image: AnyImage, start: Mapping[str, Tensor]) -> bool:

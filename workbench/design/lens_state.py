@@ -134,3 +134,5 @@ class Step(NamedTuple):
     # What the best lens has least of, where that is not the loss alone; infinite without light on
     # the screen.
     merit: float | None = None
+    # The lens in light that it was not fitted to, where a run has looked at that.
+    judged: "Step | None" = None

@@ -127,6 +127,7 @@ def run(
         steps, notes = method.steps(bounds), (*scene_notes, *method.notes(stage_scene))
         lowest = math.inf
         best_heights: ControlHeights | None = None
+        light: Step | None = None  # the best that was looked at in other light
         for _ in range(most):
             resumed = time.perf_counter()
             try:
@@ -136,7 +137,9 @@ def run(
                 break
             except (RunFailed, torch.OutOfMemoryError) as error:
                 raise _stopped(iteration, error, bounds, scene) from None
-            merit = step.state.loss if step.merit is None else step.merit
+            merit = _merit(step)
+            if step.judged and (light is None or _merit(step.judged) < _merit(light)):
+                light = step.judged
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
             state = _finished(step.state, bounds, scene)
@@ -164,7 +167,7 @@ def run(
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene, scenes[stage + 1])
     del steps  # and its images, before others are made
-    return (yield from _judged(scene, target, bounds, kept, snapshot, ended))
+    return (yield from _judged(scene, target, bounds, kept, snapshot, light, ended))
 
 
 def check_stages(
@@ -265,6 +268,10 @@ class _Goal:
         return Message(MET, error=percent(error), goal=percent(self._goal))
 
 
+def _merit(step: Step) -> float:
+    return step.state.loss if step.merit is None else step.merit
+
+
 def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:
     shortfall = bounds.shortfall(state.heights)
     heights = _carried(state.heights, bounds.scene, scene)
@@ -272,16 +279,27 @@ def _finished(state: LensState, bounds: Bounds, scene: Scene) -> LensState:
 
 
 def _judged(
-    scene: Scene, target: Array, bounds: Bounds, best: Snapshot, last: Snapshot, ended: str
+    scene: Scene,
+    target: Array,
+    bounds: Bounds,
+    best: Snapshot,
+    last: Snapshot,
+    earlier: Step | None,
+    ended: str,
 ) -> Generator[Snapshot, None, str]:
-    """The best lens of a run in light that it was not fitted to, if it has not been seen so."""
+    """The best lens of a run in light that it was not fitted to, if it has not been seen so.
+
+    `earlier`: the best of those that were looked at in such light before.
+    """
     resumed = time.perf_counter()
     try:
         light = method_of(scene).judged(scene, target, best.state.heights)
     except torch.OutOfMemoryError as error:
         raise _stopped(last.iteration, error, bounds, scene) from None
     if light is not None:
-        state = replace(light.state, shortfall=best.state.shortfall)
+        if earlier is not None and _merit(earlier) < _merit(light):
+            light = earlier
+        state = _finished(light.state, bounds, scene)
         seconds = last.seconds + time.perf_counter() - resumed
         yield replace(last, state=state, merit=best.merit, best=True, seconds=seconds, judged=True)
     return ended
@@ -354,7 +372,7 @@ class Evaluator:
             iteration=count,
             iterations=max(scene.run.iterations, count),
             seconds=earlier.seconds if earlier else 0.0,
-            merit=step.state.loss if step.merit is None else step.merit,
+            merit=_merit(step),
             best=True,
             stage=len(scene.run.stages),
             stages=1 + len(scene.run.stages),

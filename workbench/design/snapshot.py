@@ -23,6 +23,7 @@ SMALL = "converged: error below {error:g} %"
 LOWEST = "converged: no step makes the image better"
 SLOW = "converged: less than {gain:g} % better in {patience} iterations"
 FLAT = "converged: error less than {points:g} percentage points lower in {patience} iterations"
+OTHERWISE_WORSE = "converged: in the light of other points of the source the image gets worse"
 IN_VAIN = "{ended}; no iteration made the lens better"
 NO_IMAGE = "{ended}; the exit face alone makes no image"
 GAINED = (
@@ -31,7 +32,7 @@ GAINED = (
 )
 FAILED = "failed: {why}"
 
-CONVERGED = (SMALL, LOWEST, SLOW, FLAT)
+CONVERGED = (SMALL, LOWEST, SLOW, FLAT, OTHERWISE_WORSE)
 ENDINGS = (DONE, LOCKED, STOPPED, MET, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
 """All but failures, whose reasons are without number."""
 
