@@ -14,7 +14,7 @@ from workbench.jobs import Dimension, SideView
 _LIGHT = {"light": "#d88900", "dark": "#ffc14d"}
 _GLASS = {"light": "#5b93c9", "dark": "#7fb2e6"}
 _FLATTEST = 0.3  # a drawing flatter than this part of the area is drawn with larger heights
-_ARROW = 4.0
+_ARROW = 3.0
 
 
 class SideDrawing(QWidget):
@@ -98,7 +98,7 @@ class SideDrawing(QWidget):
                 painter.drawLine(QPointF(first.x(), row), QPointF(last.x(), row))
                 for end in (first.x(), last.x()):
                     painter.drawLine(QPointF(end, row - _ARROW), QPointF(end, row + _ARROW))
-                self._write(painter, middle, row - 0.25 * line, dimension.text)
+                self._write(painter, middle, row - _ARROW - 2, dimension.text)
 
     def _write(self, painter: QPainter, middle: float, y: float, text: str) -> None:
         wide = self.fontMetrics().horizontalAdvance(text)
