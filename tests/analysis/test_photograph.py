@@ -8,7 +8,7 @@ from tests.scenes import changed
 from workbench.analysis.making.photograph import comparing, rectified
 from workbench.analysis.tracing.trace import Trace
 from workbench.design.run import run
-from workbench.errors import Refused
+from workbench.errors import Refused, RunFailed
 from workbench.progress import finished
 from workbench.scene import Scene
 
@@ -93,6 +93,13 @@ def test_one_without_the_picture_is_refused(plate, rng, light):
     scene, target, heights = plate
     with pytest.raises(Refused, match="photograph: the picture of this lens is not within"):
         finished(comparing(scene, target, heights, light * rng.random((300, 400)), _CORNERS))
+
+
+def test_a_lens_without_light_on_the_screen_is_not_compared(plate, rng):
+    scene, target, heights = plate
+    beside = scene.with_receiver(scene.receiver.model_copy(update={"position": (40.0, 0.0, 5.0)}))
+    with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
+        finished(comparing(beside, target, heights, rng.random((300, 400)), _CORNERS))
 
 
 @pytest.mark.parametrize(

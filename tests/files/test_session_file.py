@@ -1,5 +1,6 @@
 import io
 import json
+import math
 import zipfile
 from dataclasses import replace
 
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.accounts import account_of, result_of
 from workbench import __version__
+from workbench.design.limits import Shortfall
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session, write_session
 from workbench.optics.account import Account
@@ -123,6 +125,14 @@ def test_a_session_says_what_the_program_took(make_scene, rng, path):
     assert header["scene"]["elements"][0]["faces"][1]["control_points"] == "auto"
     assert header["control_points"] == [36, 27]
     assert read_session(path).scene == session.scene
+
+
+@pytest.mark.parametrize("thickest", [2.0, math.inf])
+def test_what_the_limits_kept_from_a_lens_comes_back(session, path, thickest):
+    """In the far field, no screen limits the thickness."""
+    short = Shortfall("min_thickness", None, (0.5, thickest), 0.3)
+    write_session(replace(session, result=session.result.with_state(shortfall=short)), path)
+    assert read_session(path).result.state.shortfall == short
 
 
 class TestRefused:

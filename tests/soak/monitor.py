@@ -1,6 +1,7 @@
 """What must not happen while a monkey plays: errors, warnings of Qt, a window that hangs."""
 
 import faulthandler
+import logging
 import os
 import sys
 import threading
@@ -9,6 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QMessageLogContext, QObject, QTimer, QtMsgType, qInstallMessageHandler
+
+from ui.background import LOG
 
 HANG = 10.0  # seconds without an answer of the event loop
 _SLOW = 1.0  # worth a line
@@ -24,6 +27,17 @@ _HARMLESS = (
     "Reparenting",
     "Unable to detect a launcher",
 )
+
+
+class _Reporting(logging.Handler):
+    """Reports what the log gets: errors of work in the background that nobody expected."""
+
+    def __init__(self, report: Callable[[str], None]) -> None:
+        super().__init__()
+        self._report = report
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self._report(record.getMessage())
 
 
 class Monitor(QObject):
@@ -51,6 +65,8 @@ class Monitor(QObject):
         sys.excepthook = self._except
         threading.excepthook = self._except_in_thread
         self._qt_handler = qInstallMessageHandler(self._hear)
+        self._of_work = _Reporting(self.report)
+        LOG.addHandler(self._of_work)
         self._timer = QTimer(self, interval=_BEAT_MS)
         self._timer.timeout.connect(self._answer)
         self._timer.start()
@@ -69,6 +85,7 @@ class Monitor(QObject):
         self._dog.join()
         sys.excepthook, threading.excepthook = self._hooks
         qInstallMessageHandler(self._qt_handler)
+        LOG.removeHandler(self._of_work)
         self._stacks.close()
 
     def _except(self, kind, error, trace) -> None:

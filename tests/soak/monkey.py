@@ -59,12 +59,17 @@ class Monkey(QObject):
         Of all choices.
     seconds : float
         How long it plays.
+    program : Windows
+        The program that it plays with.
     steps : int
         Number of the last step before its first.
     """
 
-    def __init__(self, folder: Path, seed: int, seconds: float, steps: int = 0) -> None:
+    def __init__(
+        self, folder: Path, seed: int, seconds: float, program: Windows, steps: int = 0
+    ) -> None:
         super().__init__()
+        self._program = program
         self.memory: list[float] = []  # MB at each rest
         self.steps = steps
         self._seed, self._seconds = seed, seconds
@@ -159,7 +164,7 @@ class Monkey(QObject):
     def _act(self, rng: Random) -> None:
         action = rng.choices(list(ACTIONS), ACTIONS.values())[0]
         if not windows():
-            self._program().open_beside()
+            self._program.open_beside()
         window = rng.choice(sorted(windows(), key=lambda window: window.winId()))
         name = f"{self.steps} {action.__name__}"
         self.log(name)
@@ -187,7 +192,7 @@ class Monkey(QObject):
         """Close what is open but one window with the first example; then measure memory."""
         self._calm = True
         if not windows():
-            self._program().open_beside()
+            self._program.open_beside()
         for window in windows()[1:]:
             yield from self._still(window)
             window.close()
@@ -230,9 +235,6 @@ class Monkey(QObject):
                 return
             yield 100
 
-    def _program(self) -> Windows:
-        return next(each for each in gc.get_objects() if isinstance(each, Windows))
-
 
 def _scenes() -> str:
     loaded = [window for window in windows() if window.loaded is not None]
@@ -257,15 +259,21 @@ def main() -> int:
     _furnish(folder)
     os.environ["XDG_CONFIG_HOME"] = str(folder / "settings")
     played: list[Monkey] = []
-    run = QApplication.exec
+    begun: list[Windows] = []
+    begin, run = Windows.__init__, QApplication.exec
+
+    # Not found by `gc.get_objects`: it takes hold of tuples that threads are building, which fail.
+    def keep(program: Windows, *named) -> None:
+        begin(program, *named)
+        begun.append(program)
 
     def play() -> int:
-        monkey = Monkey(folder, options.seed, options.seconds, options.after)
+        monkey = Monkey(folder, options.seed, options.seconds, *begun, options.after)
         played.append(monkey)
         QTimer.singleShot(0, monkey, monkey.begin)
         return run()
 
-    QApplication.exec = staticmethod(play)
+    Windows.__init__, QApplication.exec = keep, staticmethod(play)
     status = app.main([])
     (monkey,) = played
     monkey.close()

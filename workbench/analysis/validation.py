@@ -38,6 +38,9 @@ from workbench.scene import Scene
 
 Images = list[npt.NDArray[np.float32]]
 
+DARK = Message("no light of this lens reaches the screen, so there is no image to judge")
+"""Why a lens is not checked."""
+
 _CELLS = 0.7  # estimated fraction of the work for the image by cells
 _HUGE = 1e200  # largest value of a target that is not scaled, so that its sum is finite
 
@@ -218,8 +221,7 @@ def _traced(
     assert total is not None
     account = _account(total)
     if account.on_screen == 0:
-        dark = Message("no light of this lens reaches the screen, so there is no image to judge")
-        raise RunFailed(dark)
+        raise RunFailed(DARK)
     irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
     return account, irradiance, spread, images
 

@@ -1,5 +1,6 @@
 """Figures of a result in JSON."""
 
+import math
 import re
 from dataclasses import asdict
 from typing import Annotated, Self
@@ -57,17 +58,20 @@ class ShortfallFigures(Part):
 
     cause: Cause
     needed: Interval | None = None
-    allowed: Interval
+    allowed: tuple[float | None, float | None]  # None where there is no end
     share: NonNegative
 
     @classmethod
     def of(cls, shortfall: Shortfall) -> Self:
         """The figures of a shortfall."""
-        return cls(**asdict(shortfall))
+        allowed = tuple(None if math.isinf(end) else end for end in shortfall.allowed)
+        return cls(**asdict(shortfall) | {"allowed": allowed})
 
     def to_shortfall(self) -> Shortfall:
         """The shortfall of the lens."""
-        return Shortfall(**self.model_dump())
+        low, high = self.allowed
+        allowed = -math.inf if low is None else low, math.inf if high is None else high
+        return Shortfall(**self.model_dump() | {"allowed": allowed})
 
 
 class FurtherFigures(Part):

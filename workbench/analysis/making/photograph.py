@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from workbench.analysis.scatter import STUDENT_T
+from workbench.analysis.validation import DARK
 from workbench.arrays import Array
 from workbench.design.levels import as_compared
-from workbench.errors import Refused
+from workbench.errors import Refused, RunFailed
 from workbench.messages import Message
 from workbench.progress import Steps
 from workbench.scene import Scene
@@ -138,7 +139,8 @@ def comparing(
     """Compare a photograph with the light of a lens in steps.
 
     `picture` (rows, columns): light by its tone; `corners`: see `rectified`. Raises `Refused` if
-    the receiver is no plane, or the picture is not in the photograph.
+    the receiver is no plane, or the picture is not in the photograph; `RunFailed` if the lens sends
+    no light to it.
     """
     from scipy.ndimage import gaussian_filter  # slow import
 
@@ -234,6 +236,8 @@ def _tilted(axis: int, scene: Scene, by: float) -> Scene:
 def _light(scene: Scene, target: Array, heights: Mapping[str, Array]) -> Array:
     """Light of a lens on its receiver, its mean 1."""
     image = as_compared(scene, target, heights).irradiance
+    if not image.any():
+        raise RunFailed(DARK)
     return np.asarray(image / image.mean())
 
 
