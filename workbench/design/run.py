@@ -92,9 +92,10 @@ def run(
     they begin with, exactly; none by default. A run whose control points are all locked ends with
     its first design. Yields first the lens before any step, then one after each iteration; at last,
     unless the run has seen it so, the best lens once more, in the light of beams that it was not
-    fitted to. Returns why there are no more, as `History.follow` keeps it. Raises `Refused` if the
-    scene or one of its stages cannot be run here; before any of them is; `RunFailed` if the run
-    cannot go on; the snapshots up to then stay good.
+    fitted to, or one that was looked at and is better there. Returns why there are no more, as
+    `History.follow` keeps it. Raises `Refused` if the scene or one of its stages cannot be run
+    here; before any of them is; `RunFailed` if the run cannot go on; the snapshots up to then stay
+    good.
 
     Examples
     --------

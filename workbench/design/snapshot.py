@@ -70,7 +70,7 @@ class Snapshot:
     notes : tuple of str
         What was chosen for the trace of this lens, and what was left out.
     judged : bool
-        Whether it is the best lens of a run once more, in light that it was not fitted to.
+        Whether it is the lens of a run that is best in light that it was not fitted to, once more.
     """
 
     state: LensState
