@@ -3320,18 +3320,8 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Relative L2 error between image and target, by a deterministic beam mesh: free of ray noise.</source>
-            <translation>Relativer L2-Fehler zwischen Bild und Ziel, mit deterministischem Bündelnetz: frei von Strahlrauschen.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>error interval</source>
-            <translation>Fehlerintervall</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>Interval of that error, bounded from two mesh sizes.</source>
-            <translation>Intervall dieses Fehlers, aus zwei Netzweiten abgeschätzt.</translation>
+            <source>Relative L2 error between image and target, free of ray noise, and the interval that it is in: by a deterministic beam mesh, or by random rays with 95 % confidence. With &lt; where it cannot be told from zero.</source>
+            <translation>Relativer L2-Fehler zwischen Bild und Ziel, frei von Strahlrauschen, und das Intervall, in dem er liegt: mit deterministischem Bündelnetz, oder mit Zufallsstrahlen bei 95 % Konfidenz. Mit &lt;, wenn er sich nicht von null unterscheiden lässt.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3365,43 +3355,23 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>relative L2 error</source>
-            <translation>relativer L2-Fehler</translation>
+            <source>error by random rays</source>
+            <translation>Fehler mit Zufallsstrahlen</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more rays reduce it.</source>
-            <translation>‖I − T‖ / ‖T‖ von Bild und Ziel, jeweils durch ihre Summe geteilt. Enthält Strahlrauschen; mehr Strahlen verringern es.</translation>
+            <source>The same error by random rays without their noise, with 95 % confidence: a second opinion.</source>
+            <translation>Derselbe Fehler mit Zufallsstrahlen ohne ihr Rauschen, bei 95 % Konfidenz: eine zweite Meinung.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>95 % interval with noise</source>
-            <translation>95-%-Intervall mit Rauschen</translation>
+            <source>error with ray noise</source>
+            <translation>Fehler mit Strahlrauschen</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>95 % interval of the error with noise, for other rays of the same number.</source>
-            <translation>95-%-Intervall des Fehlers mit Rauschen, für andere Strahlen gleicher Zahl.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>without ray noise</source>
-            <translation>ohne Strahlrauschen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>The same error without ray noise. With &lt; where these rays cannot distinguish it from zero.</source>
-            <translation>Derselbe Fehler ohne Strahlrauschen. Mit &lt;, wenn diese Strahlen ihn nicht von null unterscheiden.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>95 % confidence</source>
-            <translation>95 % Konfidenz</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>95 % confidence interval of that error.</source>
-            <translation>95-%-Konfidenzintervall dieses Fehlers.</translation>
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum, by random rays with their noise, which more rays reduce. The interval is that of 95 % for other rays.</source>
+            <translation>‖I − T‖ / ‖T‖ von Bild und Ziel, jeweils durch ihre Summe geteilt, mit Zufallsstrahlen und ihrem Rauschen, das mehr Strahlen verringern. Das Intervall ist das von 95 % für andere Strahlen.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -9006,6 +8976,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
+            <source>no light of this lens reaches the screen, so there is no image to judge</source>
+            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
             <source>{what} scatters the light: random rays are used</source>
             <translation>{what} streut das Licht: Zufallsstrahlen werden verwendet</translation>
         </message>
@@ -9018,11 +8993,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
             <translation>Zellen weichen um bis zu {bound:.2g} % ab, mehr als Zufallsstrahlen: mehr Strahlen verlangen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/validation.py" />
-            <source>no light of this lens reaches the screen, so there is no image to judge</source>
-            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -10726,6 +10696,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/pictures/error_curves.py" />
+            <source>relative L2 error</source>
+            <translation>relativer L2-Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>Linsen bis dorthin</translation>
         </message>
@@ -10861,11 +10836,6 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />
-            <source>{error} ({interval})</source>
-            <translation>{error} ({interval})</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/report/figures.py" />
             <source>{off}, {times:.2f} times their noise</source>
             <translation>{off}, das {times:.2f}-Fache ihres Rauschens</translation>
         </message>
@@ -10873,6 +10843,11 @@ Pfeiltasten bewegen Punkt oder Linie um einen Pixel, mit Umschalt um zehn; mit S
             <location filename="../../workbench/report/figures.py" />
             <source>{rays:,} rays, 95 % confidence</source>
             <translation>{rays:,} Strahlen, 95 % Konfidenz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error} ({interval})</source>
+            <translation>{error} ({interval})</translation>
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />

@@ -3320,18 +3320,8 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>Relative L2 error between image and target, by a deterministic beam mesh: free of ray noise.</source>
-            <translation>Erreur L2 relative entre image et cible, par un maillage de faisceaux déterministe : sans bruit de rayons.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>error interval</source>
-            <translation>intervalle d'erreur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>Interval of that error, bounded from two mesh sizes.</source>
-            <translation>Intervalle de cette erreur, borné par deux tailles de maille.</translation>
+            <source>Relative L2 error between image and target, free of ray noise, and the interval that it is in: by a deterministic beam mesh, or by random rays with 95 % confidence. With &lt; where it cannot be told from zero.</source>
+            <translation>Erreur L2 relative entre image et cible, sans bruit de rayons, et l'intervalle où elle se trouve : par un maillage de faisceaux déterministe, ou par des rayons aléatoires avec une confiance de 95 %. Avec &lt; si elle ne se distingue pas de zéro.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -3365,43 +3355,23 @@
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>relative L2 error</source>
-            <translation>erreur L2 relative</translation>
+            <source>error by random rays</source>
+            <translation>erreur par rayons aléatoires</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more rays reduce it.</source>
-            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme. Inclut le bruit des rayons ; plus de rayons le réduit.</translation>
+            <source>The same error by random rays without their noise, with 95 % confidence: a second opinion.</source>
+            <translation>La même erreur par des rayons aléatoires sans leur bruit, avec une confiance de 95 % : un second avis.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>95 % interval with noise</source>
-            <translation>intervalle à 95 % avec bruit</translation>
+            <source>error with ray noise</source>
+            <translation>erreur avec bruit de rayons</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
-            <source>95 % interval of the error with noise, for other rays of the same number.</source>
-            <translation>Intervalle à 95 % de l'erreur avec bruit, pour d'autres rayons en même nombre.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>without ray noise</source>
-            <translation>sans bruit des rayons</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>The same error without ray noise. With &lt; where these rays cannot distinguish it from zero.</source>
-            <translation>La même erreur sans bruit de rayons. Avec &lt; si ces rayons ne la distinguent pas de zéro.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>95 % confidence</source>
-            <translation>confiance à 95 %</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/check_figures.py" />
-            <source>95 % confidence interval of that error.</source>
-            <translation>Intervalle de confiance à 95 % de cette erreur.</translation>
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum, by random rays with their noise, which more rays reduce. The interval is that of 95 % for other rays.</source>
+            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme, par des rayons aléatoires avec leur bruit, que plus de rayons réduisent. L'intervalle est celui à 95 % pour d'autres rayons.</translation>
         </message>
         <message>
             <location filename="../../ui/run/check_figures.py" />
@@ -9006,6 +8976,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
+            <source>no light of this lens reaches the screen, so there is no image to judge</source>
+            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
             <source>{what} scatters the light: random rays are used</source>
             <translation>{what} diffuse la lumière : des rayons aléatoires sont utilisés</translation>
         </message>
@@ -9018,11 +8993,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
             <translation>les cellules s'écartent de jusqu'à {bound:.2g} %, plus que les rayons aléatoires : demander plus de rayons</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/validation.py" />
-            <source>no light of this lens reaches the screen, so there is no image to judge</source>
-            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -10726,6 +10696,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/pictures/error_curves.py" />
+            <source>relative L2 error</source>
+            <translation>erreur L2 relative</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/pictures/error_curves.py" />
             <source>lenses up to there</source>
             <translation>lentilles jusque-là</translation>
         </message>
@@ -10861,11 +10836,6 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />
-            <source>{error} ({interval})</source>
-            <translation>{error} ({interval})</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/report/figures.py" />
             <source>{off}, {times:.2f} times their noise</source>
             <translation>{off}, {times:.2f} fois leur bruit</translation>
         </message>
@@ -10873,6 +10843,11 @@ Les flèches déplacent le point ou la ligne d'un pixel, avec Maj de dix ; avec 
             <location filename="../../workbench/report/figures.py" />
             <source>{rays:,} rays, 95 % confidence</source>
             <translation>{rays:,} rayons, confiance de 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{error} ({interval})</source>
+            <translation>{error} ({interval})</translation>
         </message>
         <message>
             <location filename="../../workbench/report/figures.py" />

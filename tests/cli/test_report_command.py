@@ -154,8 +154,8 @@ class TestHtml:
         found = Page(page).rows
         check = json.loads(freeform("validate", lens, *RAYS, "--json")[1])
         for name, key in (
-            ("relative L2 error", "relative_l2"),
-            ("without ray noise", "relative_l2_corrected"),
+            ("error with ray noise", "relative_l2"),
+            ("error by random rays", "relative_l2_corrected"),
             ("loss of the paper", "loss"),
             ("PSNR", "psnr"),
             ("SSIM", "ssim"),
@@ -172,7 +172,7 @@ class TestHtml:
         times = f"{exact['difference_over_noise']:.2f} times their noise"
         assert found["difference of random rays"].endswith(f" %, {times}")
         low, high = check["relative_l2_interval"]
-        assert found["95 % interval with noise"] == f"{100 * low:.3f} % to {100 * high:.3f} %"
+        assert found["error with ray noise"].endswith(f"({100 * low:.3f} % to {100 * high:.3f} %)")
         assert found["rays"].replace(",", "") == str(check["rays"])
         light = exact["ledger"]
         for name, key in (

@@ -50,7 +50,7 @@ def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(che
     assert found.by_cells.relative_l2_corrected_interval[0] == 0
     high = found.by_cells.relative_l2_corrected_interval[1]
     assert rows["verified error"] == f"< {100 * high:.3f} %"
-    assert rows["without ray noise"].startswith("< ")
+    assert rows["error by random rays"].startswith("< ")
     assert "off" not in rows["beam mesh"]
     assert rows["error by image pairs"].startswith("4,000 rays, 95 % confidence; off by up")
 

@@ -34,10 +34,10 @@ _TIPS = later(
             "bounds; the optimiser traces fewer rays."
         ),
         "verified error": (
-            "Relative L2 error between image and target, by a deterministic beam mesh: free of "
-            "ray noise."
+            "Relative L2 error between image and target, free of ray noise, and the interval that "
+            "it is in: by a deterministic beam mesh, or by random rays with 95 % confidence. With "
+            "< where it cannot be told from zero."
         ),
-        "error interval": "Interval of that error, bounded from two mesh sizes.",
         "beam mesh": "Number of beams through the entrance face.",
         "error by image pairs": (
             "The deterministic check would be too slow here; pairs of random images are used. The "
@@ -47,18 +47,14 @@ _TIPS = later(
             "Relative L2 difference between the images of both methods. About one noise level is "
             "expected."
         ),
-        "relative L2 error": (
-            "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. Includes ray noise; more "
-            "rays reduce it."
+        "error by random rays": (
+            "The same error by random rays without their noise, with 95 % confidence: a second "
+            "opinion."
         ),
-        "95 % interval with noise": (
-            "95 % interval of the error with noise, for other rays of the same number."
+        "error with ray noise": (
+            "‖I − T‖ / ‖T‖ of image and target, each divided by its sum, by random rays with their "
+            "noise, which more rays reduce. The interval is that of 95 % for other rays."
         ),
-        "without ray noise": (
-            "The same error without ray noise. With < where these rays cannot distinguish it from "
-            "zero."
-        ),
-        "95 % confidence": "95 % confidence interval of that error.",
         "loss of the paper": (
             "Norm of the difference between image and target, each divided by its sum, over the "
             "root of the number of pixels."

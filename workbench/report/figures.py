@@ -14,7 +14,7 @@ from workbench.analysis.shop_limits import Limits
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation_figures import Validation
-from workbench.design.session import verified_error
+from workbench.design.session import Checked, verified_error
 from workbench.extended.bound import Bound
 from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.messages import Message, capitalised
@@ -40,11 +40,9 @@ def check_rows(
     return (
         *((Fact("check failed", failed),) if failed else ()),
         *((Fact("no deterministic figure", found.left_out),) if found.left_out else ()),
-        *_cell_rows(found.by_cells),
-        Fact("relative L2 error", percent(found.relative_l2)),
-        Fact("95 % interval with noise", _interval(found.relative_l2_interval)),
-        Fact("without ray noise", verified_error(found, percent)),
-        Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
+        Fact("verified error", _without_noise(found.verified)),
+        *(_cell_rows(found.by_cells, found) if found.by_cells else ()),
+        Fact("error with ray noise", _within(found.relative_l2, found.relative_l2_interval)),
         Fact("loss of the paper", written(found.loss)),
         Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
         Fact("SSIM", f"{quality.ssim:.5f}"),
@@ -71,11 +69,7 @@ def made_rows(found: Validation) -> tuple[Fact, ...]:
                 interval=_interval(step.interval),
             )
             if step.title
-            else Message(
-                "{error} ({interval})",
-                error=percent(step.error),
-                interval=_interval(step.interval),
-            ),
+            else _within(step.error, step.interval),
         )
         for step in found.steps
     )
@@ -161,15 +155,11 @@ def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:
     return tuple(Fact(name, text) for name, text in found.figures.items()) if found else ()
 
 
-def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
-    if found is None:
-        return ()
+def _cell_rows(found: ByCells, by_rays: Validation) -> tuple[Fact, ...]:
     columns, rows = found.cells
     off, over_noise = percent(found.difference), found.difference_over_noise
     size = f"{columns} × {rows}"
     return (
-        Fact("verified error", verified_error(found, percent)),
-        Fact("error interval", _interval(found.relative_l2_corrected_interval)),
         *(
             (Fact("beam mesh", _with(size, found.less_exact)),)
             if found.independent is None
@@ -181,6 +171,7 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
             if over_noise is None
             else Message("{off}, {times:.2f} times their noise", off=off, times=over_noise),
         ),
+        Fact("error by random rays", _without_noise(by_rays)),
     )
 
 
@@ -301,6 +292,17 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     x, y = found.place
     value = written(found.value, unit, 5)
     return f"{value} at ({written(x)}, {written(y)}); {sense} {written(found.bound, unit, 5)}"
+
+
+def _without_noise(found: Checked) -> str:
+    interval = found.relative_l2_corrected_interval
+    if interval[0] == 0:
+        return verified_error(found, percent)
+    return _within(found.relative_l2_corrected, interval)
+
+
+def _within(error: float, interval: tuple[float, float]) -> Message:
+    return Message("{error} ({interval})", error=percent(error), interval=_interval(interval))
 
 
 def _interval(ends: tuple[float, float]) -> Message:
