@@ -21,7 +21,9 @@ _K_1, _K_2 = 0.01, 0.03
 # Parts of the target's peak from where a pixel is lit and up to where it is black.
 _LIT, _BLACK = 0.5, 0.01
 _AT_ONCE = 1 << 18  # pixels processed together
-_DIGITS = 40  # a distance over its error that suffices
+# A distance over its error that suffices, and the largest error that ever does: bounds of coarser
+# images are less certain.
+_DIGITS, _MOST_OFF = 40, 5e-3
 
 
 def relative_l2(image: Array, target: Array) -> float:
@@ -30,8 +32,8 @@ def relative_l2(image: Array, target: Array) -> float:
 
 
 def enough(accuracy: float, distance: float) -> float:
-    """Error of an image that suffices at a distance to its target: 0.3 % of 12 %, if not more."""
-    return max(accuracy, distance / _DIGITS)
+    """Error of an image that suffices at a distance to its target: 0.3 % at 12 %, or more."""
+    return max(accuracy, min(distance / _DIGITS, _MOST_OFF))
 
 
 def root(square: float) -> float:
