@@ -3,7 +3,7 @@
 from collections.abc import Callable, Generator, Iterator
 from contextlib import closing, contextmanager
 from contextvars import ContextVar
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 T = TypeVar("T")
 Step = TypeVar("Step")
@@ -24,17 +24,37 @@ def fraction_of(progress: Progress, before: int, count: int, of: int) -> Progres
     return lambda part: progress((before + count * part) / of)
 
 
+class Followed(Generic[Step, T]):
+    """Iterates steps, and has their ``result`` once they have ended.
+
+    Examples
+    --------
+    >>> def steps():
+    ...     yield 0.5
+    ...     return "done"
+    >>> followed = Followed(steps())
+    >>> [*followed], followed.result
+    ([0.5], 'done')
+    """
+
+    result: T
+
+    def __init__(self, steps: Generator[Step, None, T]) -> None:
+        self._steps = steps
+
+    def __iter__(self) -> Iterator[Step]:
+        self.result = yield from self._steps
+
+
 def finished(
     steps: Generator[Step, None, T], progress: Callable[[Step], object] = no_progress
 ) -> T:
     """Run steps to their end, report what they yield, and return their result."""
     with closing(steps):
-        while True:
-            try:
-                progress(next(steps))
-            except StopIteration as end:
-                found: T = end.value
-                return found
+        followed = Followed(steps)
+        for step in followed:
+            progress(step)
+        return followed.result
 
 
 def of_equal(pieces: int, done: int, fraction: float) -> float:
@@ -45,13 +65,10 @@ def of_equal(pieces: int, done: int, fraction: float) -> float:
 def within(steps: Steps[T], fraction: Callable[[float], float]) -> Steps[T]:
     """Run steps within larger work; ``fraction`` maps their progress to that of the whole."""
     with closing(steps):
-        while True:
-            try:
-                done = next(steps)
-            except StopIteration as end:
-                found: T = end.value
-                return found
+        followed = Followed(steps)
+        for done in followed:
             yield fraction(done)
+        return followed.result
 
 
 class Interrupted(Exception):

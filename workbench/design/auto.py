@@ -37,7 +37,7 @@ from workbench.geometry.faces import NO_FACES, NO_LOCKS
 from workbench.geometry.surface import freeform_nets
 from workbench.messages import Message
 from workbench.optics.plan import device_of, tensors_of
-from workbench.progress import check_given_up, check_interruption
+from workbench.progress import Followed, check_given_up, check_interruption
 from workbench.scene import Scene
 
 Steps = Generator[Step, None, str]
@@ -115,15 +115,10 @@ def auto_steps(bounds: Bounds) -> Generator[Step, None, str]:
 
 def _looked_at(steps: Steps, bounds: Bounds) -> Steps:
     """Pass on steps in the light of few points, until the lens is worse in the light of others."""
-    number, next_look, least = 0, _FIRST_LOOK, math.inf
+    next_look, least = _FIRST_LOOK, math.inf
     with closing(steps):
-        while True:
-            try:
-                step = next(steps)
-            except StopIteration as end:
-                ended: str = end.value
-                return ended
-            number += 1
+        followed = Followed(steps)
+        for number, step in enumerate(followed, 1):
             if number < next_look:
                 yield step
                 continue
@@ -134,6 +129,7 @@ def _looked_at(steps: Steps, bounds: Bounds) -> Steps:
             if loss > max(_WORSE * least, _APART * step.state.loss):
                 return Message(OTHERWISE_WORSE)
             least = min(loss, least)
+        return followed.result
 
 
 def _far_off(bounds: Bounds, image: AnyImage, start: Mapping[str, Tensor]) -> bool:
@@ -269,14 +265,11 @@ def with_gain(both: Steps, bounds: Bounds, steps: Callable[[Bounds], Steps]) -> 
     ``both`` ended, and the errors of both after as many iterations.
     """
     losses: list[float] = []
-    while True:
-        try:
-            step = next(both)
-        except StopIteration as end:
-            ended: str = end.value
-            break
+    followed = Followed(both)
+    for step in followed:
         losses.append(step.state.loss)
         yield step
+    ended = followed.result
     losses = losses[: 1 + _ITERATIONS]
     alone: list[float] = []
     try:

@@ -19,6 +19,7 @@ by transport has 7.7 % after two seconds, and the fitted face 1.6 % after 0.25 s
 import math
 import time
 from collections.abc import Callable, Generator
+from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -33,6 +34,7 @@ from workbench.design.snapshot import History, Snapshot
 from workbench.design.transport import refitted
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
+from workbench.progress import Followed
 from workbench.scene import Scene
 
 Generate = Callable[[Scene, Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
@@ -83,18 +85,14 @@ class LiveDesign:
         goes_on = chain is not None and chain is self._chain
         start = self._near(session) if goes_on else session.heights
         steps = self._steps(session, start, self._last if goes_on else before)
-        try:
-            while True:
-                snapshot = next(steps)
+        with closing(steps):
+            followed = Followed(steps)
+            for snapshot in followed:
                 history.add(snapshot)
                 if snapshot.best:
                     self._last, self._chain = replace(session, result=history.result()), chain
                 yield snapshot
-        except StopIteration as end:
-            ended: str = end.value
-        finally:
-            steps.close()
-        return ended
+            return followed.result
 
     def _near(self, session: Session) -> ControlHeights | None:
         if self._last is None:
@@ -186,9 +184,9 @@ class LiveDesign:
         spent = 0.0 if present is None else present.seconds
         lowest = math.inf if present is None else present.merit
         steps = self._generate(scene, target, None, NO_LOCKS)
-        try:
-            while True:
-                snapshot = next(steps)
+        with closing(steps):
+            followed = Followed(steps)
+            for snapshot in followed:
                 if snapshot.iteration == 1:
                     self._by_transport = target, relative_error(snapshot.state, target)
                 if present is None:
@@ -200,11 +198,7 @@ class LiveDesign:
                     best = snapshot.merit < lowest
                     lowest = min(lowest, snapshot.merit)
                     yield replace(snapshot, best=best, seconds=spent + snapshot.seconds)
-        except StopIteration as end:
-            ended: str = end.value
-        finally:
-            steps.close()
-        return ended
+            return followed.result
 
 
 def _after(snapshot: Snapshot, seconds: float) -> Snapshot:

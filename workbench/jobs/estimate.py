@@ -20,6 +20,7 @@ from workbench.design.task import with_task
 from workbench.errors import RunFailed
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.bound import Bound
+from workbench.progress import Followed
 from workbench.scene import AutoNet
 from workbench.scene.faces import LARGEST_NET
 
@@ -87,13 +88,10 @@ def _least(session: Session) -> Generator[float, None, float]:
     bound = Bound(session.scene, session.target)
     if not bound.blurred or session.scene.source.light_files or session.scene.is_train:
         return 0.0
-    steps = bound.finding_soon()
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            return float(end.value)
+    followed = Followed(bound.finding_soon())
+    for _ in followed:
         yield 0.0
+    return followed.result
 
 
 def _coarse(session: Session, how: _Coarse, near: bool) -> Session:

@@ -183,7 +183,8 @@ class LinesDrawing:
 def _done(level: float, fraction: float) -> float:
     """Fraction of the whole that is done after a fraction of a level.
 
-    Three levels, the least, are three quarters of it; each further one is half of what is left.
+    The first three levels count as three quarters of the whole, each further one as half of the
+    remainder.
     """
     if level <= 2:
         return (4**level * (1 + 3 * fraction) - 1) / 84
